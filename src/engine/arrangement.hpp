@@ -1,0 +1,11 @@
+#pragma once
+
+namespace zenosphere {
+
+/// How the spheres are placed before the run.
+enum class Arrangement {
+  fcc,     ///< face-centred cubic lattice that fills the box
+  random,  ///< random places, overlaps pushed apart, mixed by an elastic run
+};
+
+}  // namespace zenosphere

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace zenosphere {
+
+/// What a run came to, in plain numbers: the content of `--json`, of `info`, and of the
+/// dataset /zenosphere/summary of an output file.
+///
+/// Units: diameter = mass = 1, times in the case's unit. Tensors are row-major, D x D.
+struct Summary {
+  std::int64_t collisions = 0;
+  double collisions_per_sphere = 0;
+  double time = 0;
+  double strain = 0;
+  std::string outcome;     ///< "finished" | "collapsed" | "interrupted"
+  std::string ended_by;    ///< "collisions" | "time" | "arrest" | "overlap" | "signal" | "at rest"
+  std::string verdict;     ///< "none" | "temporary" | "open" | "true"
+
+  struct Separation {
+    std::int64_t hits = 0;
+    std::optional<std::int64_t> first_collision;
+    std::optional<double> first_time;
+    std::optional<std::int64_t> last_collision;
+  } separation;
+
+  struct Arrest {
+    bool met = false;
+    std::optional<std::int64_t> collision;
+    std::optional<double> time;
+    std::int64_t window = 0;
+    std::vector<std::pair<std::int64_t, std::int64_t>> pairs;
+  } arrest;
+
+  std::int64_t absorbed = 0;            ///< collisions that changed no bit of any velocity
+  std::int64_t overlap_collisions = 0;  ///< collisions of a pair that overlapped while approaching
+  std::int64_t overlaps_ignored = 0;    ///< predictions that `guarded` let pass
+  std::int64_t receding = 0;            ///< contacts that rounding had turned into recession
+
+  /// Time averages from `from_time` to `to_time`; absent where that span is empty.
+  struct Averages {
+    double granular_temperature = 0;            ///< (diameter/time)^2
+    std::vector<double> temperature_diagonal;   ///< D values
+    double pressure = 0;                        ///< mass/(diameter^(D-2) time^2)
+    std::vector<double> pressure_tensor;        ///< D x D values
+    double collision_rate = 0;                  ///< collisions per sphere per time
+    double dissipation = 0;                     ///< energy lost per volume and time
+    double shear_work = 0;                      ///< -P_xy shear_rate: work per volume and time
+    double compressibility_factor = 0;
+    double normal_speed = 0;                    ///< mean closing speed of the collisions
+    double from_time = 0;
+    double to_time = 0;
+  };
+  std::optional<Averages> averages;
+
+  double ledger_error = 0;  ///< relative
+  double wall_seconds = 0;
+  double collisions_per_second = 0;
+  std::int64_t peak_memory_bytes = 0;
+};
+
+/// One JSON object on one line, keys as in docs/summary.md; absent values are null.
+std::string to_json(const Summary& summary, int dimension);
+
+/// The summary for people: some lines of aligned text, the verdict first.
+std::string to_text(const Summary& summary, int dimension);
+
+}  // namespace zenosphere

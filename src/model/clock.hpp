@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+namespace zenosphere {
+
+/// An instant as whole clock units and a remainder, so that its resolution does not decay with
+/// the length of a run.
+///
+/// Under shear one unit is the time in which adjacent layers slide by one cell. The remainder
+/// lies in [0, unit) up to the rounding of an event that is done slightly in the past.
+template <class Real>
+struct Instant {
+  std::int64_t units = 0;
+  Real remainder = 0;  ///< in the case's time unit
+};
+
+/// Time from `earlier` to `later`; zero if and only if the clock did not move.
+///
+/// \param unit  length of a clock unit, in the case's time unit
+template <class Real>
+Real elapsed(const Instant<Real>& earlier, const Instant<Real>& later, const Real& unit) {
+  return static_cast<Real>(later.units - earlier.units) * unit +
+         (later.remainder - earlier.remainder);
+}
+
+/// The instant as one number since the start, in the case's time unit.
+template <class Real>
+double since_start(const Instant<Real>& instant, const Real& unit) {
+  return static_cast<double>(static_cast<Real>(instant.units) * unit + instant.remainder);
+}
+
+}  // namespace zenosphere
