@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "model/shear_box.hpp"
+
+namespace zenosphere {
+
+/// Which spheres are in which cell, and which cells are neighbours while the layers slide.
+///
+/// Cells are numbered along x first. A column of layer k + 1 that starts above column c of layer k
+/// has slid by whole cells and a fraction after a while; the whole cells are kept here, the
+/// fraction is the remainder of the clock. Nothing in here knows about lengths or times.
+template <int Dim>
+class SlidingCells {
+ public:
+  static constexpr std::int32_t kNone = -1;
+  using Stencil = std::vector<Steps<Dim>>;
+
+  /// \param cells    number of cells along each axis, >= 2
+  /// \param sliding  whether layers slide against each other, which widens the neighbourhood
+  SlidingCells(const Steps<Dim>& cells, bool sliding, std::int32_t spheres);
+
+  std::int32_t count() const { return static_cast<std::int32_t>(first_.size()); }
+  std::int32_t index(const Steps<Dim>& coordinates) const {
+    std::int32_t cell = 0;
+    for (std::size_t axis = 0; axis < Dim; ++axis) cell += coordinates[axis] * strides_[axis];
+    return cell;
+  }
+  const Steps<Dim>& coordinates(std::int32_t cell) const {
+    return coordinates_[static_cast<std::size_t>(cell)];
+  }
+
+  /// A cell as it lies beside another one.
+  struct Neighbour {
+    std::int32_t cell;
+    Steps<Dim> lag;  ///< what the difference of the cells' coordinates lacks of the way to it
+  };
+
+  /// The cell that lies `steps` away from `cell` now; at most as far as a stencil reaches.
+  Neighbour neighbour(std::int32_t cell, const Steps<Dim>& steps) const {
+    const Steps<Dim>& home = coordinates(cell);
+    Neighbour result{0, {}};
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      const int side = cells_[axis];
+      int target = home[axis];
+      // A layer that has slid to the right is met at a column further left.
+      if (axis == 0) target = wrapped(target - layers(steps) * whole_slide_, side);
+      target = wrapped(target + steps[axis], side);
+      result.cell += target * strides_[axis];
+      result.lag[axis] = steps[axis] - (target - home[axis]);
+    }
+    return result;
+  }
+
+  /// The same for a way of any length, as steps_between gives it.
+  Steps<Dim> lag(std::int32_t from, std::int32_t to, const Steps<Dim>& steps) const {
+    Steps<Dim> lag = steps;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      lag[axis] -= coordinates(to)[axis] - coordinates(from)[axis];
+    }
+    return lag;
+  }
+
+  /// Steps along the gradient direction: how many layers up.
+  static int layers(const Steps<Dim>& steps) { return Dim > 1 ? steps[Dim > 1 ? 1 : 0] : 0; }
+
+  /// The shortest way from one cell to another, whole cells; ties go to the negative side.
+  Steps<Dim> steps_between(std::int32_t from, std::int32_t to) const;
+
+  /// Spheres of a cell: for (id = first(cell); id != kNone; id = next(id)).
+  std::int32_t first(std::int32_t cell) const { return first_[static_cast<std::size_t>(cell)]; }
+  std::int32_t next(std::int32_t sphere) const { return next_[static_cast<std::size_t>(sphere)]; }
+
+  void insert(std::int32_t sphere, std::int32_t cell);
+  void remove(std::int32_t sphere, std::int32_t cell);
+
+  /// Every layer has slid by one more whole cell against the layer below it.
+  void slide_by_one_cell();
+
+  /// All cells whose spheres can be touched from a cell during one clock unit: its own row of
+  /// three and, under shear, four of each adjacent row, since the slide is a fraction of a cell.
+  const Stencil& neighbourhood() const { return neighbourhood_; }
+
+  /// The part of the neighbourhood that is new to a sphere after it crossed a face of its cell.
+  /// \param direction  -1 or +1
+  const Stencil& new_after_crossing(int axis, int direction) const {
+    return after_crossing_[static_cast<std::size_t>(2 * axis + (direction > 0 ? 1 : 0))];
+  }
+
+  /// The part of the neighbourhood that is new to every sphere after slide_by_one_cell().
+  const Stencil& new_after_slide() const { return after_slide_; }
+
+ private:
+  void build_stencils(bool sliding);
+
+  static int wrapped(int coordinate, int side) {
+    return coordinate < 0 ? coordinate + side : coordinate >= side ? coordinate - side : coordinate;
+  }
+
+  Steps<Dim> cells_;
+  std::array<std::int32_t, Dim> strides_{};
+  int whole_slide_ = 0;  ///< in [0, cells_[0])
+  std::vector<std::int32_t> first_;
+  std::vector<std::int32_t> next_;
+  std::vector<std::int32_t> prev_;
+  std::vector<Steps<Dim>> coordinates_;
+  Stencil neighbourhood_;
+  std::array<Stencil, 2 * Dim> after_crossing_;
+  Stencil after_slide_;
+};
+
+}  // namespace zenosphere

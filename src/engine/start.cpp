@@ -1,0 +1,130 @@
+#include "engine/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "engine/loose_packing.hpp"
+#include "model/random.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// Volume of a unit-diameter sphere in `Dim` dimensions.
+template <int Dim>
+constexpr double sphere_volume() {
+  static_assert(Dim >= 1 && Dim <= 3);
+  return Dim == 1 ? 1.0 : std::numbers::pi / (Dim == 2 ? 4 : 6);
+}
+
+/// Cube root by Newton's method: the C library's may differ between machines in the last bit.
+double cube_root(double value) {
+  double root = value > 1 ? value : 1;
+  for (;;) {
+    const double next = root - (root * root * root - value) / (3 * root * root);
+    if (!(next < root)) return root;  // falls monotonically from above until rounding
+    root = next;
+  }
+}
+
+std::vector<Vec<3, double>> fcc_lattice(std::int32_t spheres, double side) {
+  constexpr double kBasis[4][3] = {{0, 0, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}};
+  int n = 0;
+  while (4 * n * n * n < spheres) ++n;
+  if (4 * n * n * n != spheres) throw std::invalid_argument("fcc needs 4 n^3 spheres");
+  const double spacing = side / n;
+  std::vector<Vec<3, double>> positions;
+  positions.reserve(static_cast<std::size_t>(spheres));
+  for (int z = 0; z < n; ++z) {
+    for (int y = 0; y < n; ++y) {
+      for (int x = 0; x < n; ++x) {
+        for (const auto& site : kBasis) {
+          // A quarter of a spacing away from the faces of the box, so that no sphere is on one.
+          positions.push_back({(x + site[0] + 0.25) * spacing, (y + site[1] + 0.25) * spacing,
+                               (z + site[2] + 0.25) * spacing});
+        }
+      }
+    }
+  }
+  return positions;
+}
+
+template <int Dim>
+std::vector<Vec<Dim, double>> thermal_velocities(std::int32_t spheres, double temperature,
+                                                 Random& random) {
+  std::vector<Vec<Dim, double>> velocities(static_cast<std::size_t>(spheres));
+  Vec<Dim, double> mean;
+  for (auto& velocity : velocities) {
+    for (int axis = 0; axis < Dim; ++axis) velocity[axis] = random.normal();
+    mean += velocity * (1.0 / spheres);
+  }
+  double twice_energy = 0;
+  for (auto& velocity : velocities) {
+    velocity -= mean;
+    twice_energy += dot(velocity, velocity);
+  }
+  const double scale = twice_energy > 0 ? std::sqrt(temperature * Dim * spheres / twice_energy) : 0;
+  for (auto& velocity : velocities) velocity *= scale;
+  return velocities;
+}
+
+/// Random places: overlaps pushed apart, then mixed by elastic collisions at unit temperature.
+template <int Dim>
+std::vector<Vec<Dim, double>> random_places(std::int32_t spheres, double side, Random& random) {
+  constexpr std::int64_t kMixingCollisionsPerSphere = 20;  // g(r) forgets the pushing in about 5
+  Configuration<Dim, double> state;
+  state.positions = loose_packing<Dim>(spheres, side, random);
+  state.velocities = thermal_velocities<Dim>(spheres, 1.0, random);
+  Vec<Dim, double> sides;
+  for (int axis = 0; axis < Dim; ++axis) sides[axis] = side;
+  Simulation<Dim, double> mixing(ShearBox<Dim, double>(sides, 0), state, {1.0});
+  const std::int64_t collisions = kMixingCollisionsPerSphere * spheres / 2;
+  // A gas too thin to collide is mixed already: a unit speed crosses the box in `side`.
+  const double longest = 20 * side;
+  while (mixing.collisions() < collisions && mixing.time() < longest) {
+    mixing.next_collision(longest);
+  }
+  return mixing.configuration().positions;
+}
+
+}  // namespace
+
+template <int Dim>
+double box_side(std::int64_t spheres, double solids_volume_fraction) {
+  const double volume =
+      static_cast<double>(spheres) * sphere_volume<Dim>() / solids_volume_fraction;
+  return Dim == 1 ? volume : Dim == 2 ? std::sqrt(volume) : cube_root(volume);
+}
+
+std::pair<std::int64_t, std::int64_t> fcc_numbers_around(std::int64_t spheres) {
+  std::int64_t n = 1;
+  while (4 * n * n * n < spheres) ++n;
+  const std::int64_t above = 4 * n * n * n;
+  if (above == spheres) return {spheres, spheres};
+  return {4 * (n - 1) * (n - 1) * (n - 1), above};
+}
+
+template <int Dim>
+Configuration<Dim, double> make_start(const StartRequest& request, double side) {
+  Random random(request.seed);
+  Configuration<Dim, double> start;
+  switch (request.arrangement) {
+    case Arrangement::fcc:
+      if constexpr (Dim == 3) start.positions = fcc_lattice(request.spheres, side);
+      break;
+    case Arrangement::random:
+      start.positions = random_places<Dim>(request.spheres, side, random);
+      break;
+  }
+  start.velocities = thermal_velocities<Dim>(request.spheres, request.granular_temperature, random);
+  return start;
+}
+
+template double box_side<3>(std::int64_t, double);
+template Configuration<3, double> make_start<3>(const StartRequest&, double);
+
+}  // namespace zenosphere
