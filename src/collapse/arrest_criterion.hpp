@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "model/collision.hpp"
+
+namespace zenosphere {
+
+/// The paper's criterion: over a window of collisions the clock stands still, every gap stays at
+/// or below the threshold, and the pairs repeat.
+///
+/// Watched is the *stretch*: the longest run of collisions up to now in which every gap was at or
+/// below the threshold and no collision came later than the first one. The criterion is met when
+/// the stretch is at least a window long and no pair that is new to it has appeared during the
+/// last half window. Then the repeating pairs are those of the last half window.
+///
+/// Source: "Detection of Inelastic Collapse in 3-D Shear Flow", its three conditions; the window
+/// and the meaning of "repeat" are ours, since the paper gives no numbers.
+template <int Dim, class Real>
+class ArrestCriterion {
+ public:
+  using Pair = std::pair<std::int32_t, std::int32_t>;
+
+  /// \param threshold   gap in diameters
+  /// \param window      collisions, >= 2
+  /// \param clock_unit  of the simulation's clock
+  ArrestCriterion(double threshold, std::int64_t window, const Real& clock_unit)
+      : threshold_(threshold), window_(window), clock_unit_(clock_unit) {}
+
+  void observe(const Collision<Dim, Real>& collision);
+
+  bool is_met() const { return collision_.has_value(); }
+  std::int64_t window() const { return window_; }
+
+  /// The collision at which the criterion was met for the first time, and its time.
+  std::optional<std::int64_t> collision() const { return collision_; }
+  std::optional<double> time() const { return time_; }
+
+  /// The pairs that repeated then, in order.
+  const std::vector<Pair>& pairs() const { return pairs_; }
+
+ private:
+  struct Seen {
+    Pair pair;
+    std::int64_t last;  ///< number of its last collision
+  };
+
+  void remember(const Collision<Dim, Real>& collision);
+  void conclude(const Collision<Dim, Real>& collision);
+
+  Real threshold_;
+  std::int64_t window_;
+  Real clock_unit_;
+
+  std::int64_t stretch_start_ = 0;  ///< number of the first collision of the stretch
+  std::int64_t newest_pair_ = 0;    ///< number of the collision that brought the last new pair
+  Instant<Real> start_time_;
+  std::vector<Seen> seen_;  ///< pairs of the stretch, sorted
+
+  std::optional<std::int64_t> collision_;
+  std::optional<double> time_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace zenosphere

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/simulation.hpp"
+#include "flow/averages.hpp"
+
+namespace zenosphere {
+
+/// Exact time averages and the energy ledger of a run, from its stream of collisions.
+///
+/// Between two collisions of a sphere its peculiar velocity is constant but for the x component,
+/// which changes by -shear_rate v_y per time; so the integrals over each flight are closed
+/// formulas, and nothing depends on a sampling interval.
+///
+/// Source of the pressure tensor: Irving & Kirkwood, J. Chem. Phys. 18 (1950) 817; for hard
+/// spheres Alder, Gass & Wainwright, J. Chem. Phys. 53 (1970) 3813.
+template <int Dim, class Real>
+class Measurements {
+ public:
+  using Vector = Vec<Dim, Real>;
+
+  /// \param simulation  at its start; the same object is handed to every later call
+  /// \param after_time  averages start here, in the case's time unit
+  Measurements(const Simulation<Dim, Real>& simulation, double after_time);
+
+  /// To be called once after each collision, in order.
+  void observe(const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation);
+
+  /// Averages from `after_time` to the simulation's clock, or nothing if that span is empty.
+  std::optional<Averages> averages(const Simulation<Dim, Real>& simulation) const;
+
+  /// | kinetic energy change - shear work + dissipation |, relative to the largest of the terms.
+  ///
+  /// The kinetic energy is that of the engine, the work that of the integrals above.
+  double ledger_error(const Simulation<Dim, Real>& simulation) const;
+
+ private:
+  struct Sums {
+    std::array<Real, Dim * Dim> kinetic{};      ///< time integral of sum v_a v_b
+    std::array<Real, Dim * Dim> collisional{};  ///< sum of r_a J_b
+    Real dissipation = 0;
+    Real normal_speed = 0;
+    std::int64_t collisions = 0;
+  };
+
+  void add_flight(Sums& sums, const Vector& velocity_at_end, const Real& duration) const;
+  void add_flights_until(Sums& sums, const Instant<Real>& end,
+                         const Simulation<Dim, Real>& simulation,
+                         const Collision<Dim, Real>* collision) const;
+  Sums sums_now(const Simulation<Dim, Real>& simulation) const;
+  Real kinetic_energy(const Simulation<Dim, Real>& simulation) const;
+  Vector velocity_before(std::int32_t sphere, const Collision<Dim, Real>& collision,
+                         const Simulation<Dim, Real>& simulation) const;
+
+  Real shear_rate_;
+  Real clock_unit_;
+  double after_time_;
+  Instant<Real> after_;
+  Real initial_energy_;
+  Sums sums_;
+  std::optional<Sums> sums_before_;  ///< at `after_time`
+  std::vector<Instant<Real>> flight_start_;
+};
+
+}  // namespace zenosphere
