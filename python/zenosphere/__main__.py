@@ -1,0 +1,83 @@
+"""Command line: `python3 -m zenosphere figures ...` and `python3 -m zenosphere report-md ...`."""
+
+import argparse
+import sys
+from contextlib import ExitStack
+from pathlib import Path
+
+from .errors import InputError, OutputError
+from .figures import FALSE_POSITIVE, TRUE_COLLAPSE, draw_general_figures, draw_paper_figures
+from .report import write_report
+from .run_file import RunFile
+
+
+def main(arguments=None):
+    """Does what the command line says and returns the exit code (0, 2 input, 4 output)."""
+    options = _parser().parse_args(arguments)
+    try:
+        options.command(options)
+    except InputError as error:
+        return _failed(error, 2)
+    except OutputError as error:
+        return _failed(error, 4)
+    return 0
+
+
+def _figures(options):
+    paper = ((options.false_positive, FALSE_POSITIVE), (options.true_collapse, TRUE_COLLAPSE))
+    if not options.run and not any(path for path, _ in paper):
+        raise InputError("figures: no run given (nothing to draw); add --false-positive,"
+                         " --true-collapse or --run")
+    written = []
+    for path, plans in paper:
+        if path:
+            with RunFile(path) as run:
+                written += draw_paper_figures(run, plans, options.output)
+    for path in options.run:
+        with RunFile(path) as run:
+            written += draw_general_figures(run, options.output)
+    for path in written:
+        print(path)
+
+
+def _report(options):
+    figures = options.figures or options.output.parent / "figures"
+    with ExitStack() as open_files:
+        runs = [open_files.enter_context(RunFile(path)) for path in options.files]
+        write_report(runs, options.output, figures)
+    print(options.output)
+
+
+def _parser():
+    parser = argparse.ArgumentParser(prog="python3 -m zenosphere", description=sys.modules[
+        "zenosphere"].__doc__)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    figures = commands.add_parser("figures", help="draw figures as PNG and PDF")
+    figures.add_argument("--false-positive", metavar="OUT.h5", type=Path,
+                         help="run for the paper's Figures 1, 2, 3a, 3b (e = 0.6)")
+    figures.add_argument("--true-collapse", metavar="OUT.h5", type=Path,
+                         help="run for the paper's Figures 4, 5, 6 (e = 0.2)")
+    figures.add_argument("--run", metavar="OUT.h5", type=Path, action="append", default=[],
+                         help="any run, for a general set; can be repeated")
+    figures.add_argument("-o", "--output", metavar="DIR", type=Path, default=Path("figures"),
+                         help="folder of the figures (default: figures)")
+    figures.set_defaults(command=_figures)
+
+    report = commands.add_parser("report-md", help="write a Markdown report")
+    report.add_argument("files", metavar="OUT.h5", type=Path, nargs="+", help="one column each")
+    report.add_argument("-o", "--output", metavar="PAGE.md", type=Path,
+                        default=Path("report.md"), help="the report (default: report.md)")
+    report.add_argument("--figures", metavar="DIR", type=Path,
+                        help="figures to embed (default: figures beside the report)")
+    report.set_defaults(command=_report)
+    return parser
+
+
+def _failed(error, code):
+    print(error, file=sys.stderr)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

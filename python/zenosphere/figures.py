@@ -1,0 +1,85 @@
+"""The figures: the paper's seven from its two runs, and a general set for any one run."""
+
+from dataclasses import dataclass
+from typing import Callable
+
+from . import panels, windows
+from .errors import OutputError
+
+
+@dataclass(frozen=True)
+class FigurePlan:
+    """One figure: what is drawn over which collisions, and what it shows."""
+
+    name: str  # file name without suffix
+    draw: Callable  # of panels: (axes, run, window)
+    window: Callable  # of windows: run -> (first, last)
+    caption: str
+
+
+FALSE_POSITIVE = (
+    FigurePlan("figure-1", panels.separation, windows.early,
+               "Separation of the next pair where the criterion is met for the first time."),
+    FigurePlan("figure-2", panels.separation, windows.long,
+               "The same over the whole temporary stage, into the steady state."),
+    FigurePlan("figure-3a", panels.time, windows.whole,
+               "Dimensionless time against collisions, whole run."),
+    FigurePlan("figure-3b", panels.time, windows.temporary_stage,
+               "Dimensionless time against collisions, the temporary stage."),
+)
+
+TRUE_COLLAPSE = (
+    FigurePlan("figure-4", panels.separation, windows.to_arrest,
+               "Separation of the next pair, up to the arrest."),
+    FigurePlan("figure-5", panels.time, windows.to_arrest,
+               "Dimensionless time against collisions, up to the arrest."),
+    FigurePlan("figure-6", panels.separation, windows.around_arrest,
+               "Separation of the next pair around the arrest."),
+)
+
+ANY_RUN = (
+    FigurePlan("separation", panels.separation, windows.whole,
+               "Separation of the next pair, whole log."),
+    FigurePlan("time", panels.time, windows.whole, "Time against collisions, whole log."),
+    FigurePlan("pairs", panels.pairs_raster, windows.pairs_change,
+               "Which pairs collide around the arrest, the last hit, or the end."),
+)
+
+
+def draw_paper_figures(run, plans, folder):
+    """Draws the paper's figures of one run; needs its complete collision log.
+
+    run: RunFile;  plans: FALSE_POSITIVE or TRUE_COLLAPSE;  folder: Path, made where missing
+    Returns the paths written. Raises InputError, OutputError.
+    """
+    run.complete_collisions()
+    return _drawn(run, plans, folder, prefix="")
+
+
+def draw_general_figures(run, folder):
+    """Draws ANY_RUN of one run, files named after it; a part of a log will do.
+
+    Returns the paths written. Raises InputError, OutputError.
+    """
+    return _drawn(run, ANY_RUN, folder, prefix=f"{run.name}-")
+
+
+def captions(prefix=""):
+    """File name without suffix -> caption, of every figure in the paper's order.
+
+    prefix: of the general figures; without one, the paper's.
+    """
+    plans = ANY_RUN if prefix else FALSE_POSITIVE + TRUE_COLLAPSE
+    return {prefix + plan.name: plan.caption for plan in plans}
+
+
+def _drawn(run, plans, folder, prefix):
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"{folder}: folder cannot be made ({error.strerror});"
+                          " choose another one with -o") from error
+    written = []
+    for plan in plans:
+        written += panels.save(plan.draw, run, plan.window(run), folder / (prefix + plan.name))
+    return written

@@ -1,0 +1,125 @@
+"""What a user types, and what lies there afterwards."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from zenosphere.__main__ import main
+
+PAPER = ("figure-1", "figure-2", "figure-3a", "figure-3b", "figure-4", "figure-5", "figure-6")
+BEGINNING = {"png": b"\x89PNG", "pdf": b"%PDF"}
+MEGABYTE = 1 << 20
+
+
+def assert_figures(folder, names):
+    expected = {f"{name}.{suffix}" for name in names for suffix in BEGINNING}
+    assert {path.name for path in folder.iterdir()} == expected
+    for path in folder.iterdir():
+        content = path.read_bytes()
+        assert content.startswith(BEGINNING[path.suffix[1:]]), path
+        assert 5000 < len(content) < MEGABYTE, path
+
+
+def test_both_runs_give_the_papers_seven_figures(e06, e02, tmp_path, capsys):
+    folder = tmp_path / "figures"
+    assert main(["figures", "--false-positive", str(e06), "--true-collapse", str(e02),
+                 "-o", str(folder)]) == 0
+    assert_figures(folder, PAPER)
+    assert str(folder / "figure-3b.pdf") in capsys.readouterr().out
+
+
+def test_drawing_says_nothing_on_the_error_stream(e02, tmp_path, capsys, recwarn):
+    main(["figures", "--true-collapse", str(e02), "-o", str(tmp_path / "figures")])
+    assert capsys.readouterr().err == ""
+    assert not [str(w.message) for w in recwarn if "Glyph" in str(w.message)]
+
+
+@pytest.mark.parametrize("content", [
+    {"gap": np.full(300, 1e-3)},
+    {"gap": np.full(300, np.nan)},
+    {"gap": [1e-3]},
+    {"gap": [0.0]},
+    {"gap": np.linspace(0, 1e-3, 300), "arrest": 1},
+    {"gap": np.zeros(300), "arrest": 200},
+    {"gap": np.zeros(300), "time": np.full(300, 2.0)},
+    {"gap": np.full(300, 1e-3), "averages": None},
+    {"gap": np.full(300, 1e-3), "threshold": 0},
+], ids=["no hit", "gaps unknown", "one collision", "one hit", "arrest at once", "hits only",
+        "clock stands", "no averages", "threshold zero"])
+def test_figures_are_drawn_for_a_run_that_lacks_what_they_show(written, tmp_path, content):
+    path, folder = str(written(**content)), tmp_path / "figures"
+    assert main(["figures", "--false-positive", path, "--true-collapse", path, "--run", path,
+                 "-o", str(folder)]) == 0
+    assert_figures(folder, PAPER + ("run-separation", "run-time", "run-pairs"))
+
+
+def test_general_set_takes_a_part_of_a_log(written, tmp_path):
+    path = written(gap=np.full(50, 1e-3), first=1000, complete=False)
+    assert main(["figures", "--run", str(path), "-o", str(tmp_path / "figures")]) == 0
+    assert_figures(tmp_path / "figures", ("run-separation", "run-time", "run-pairs"))
+
+
+def test_paper_figures_refuse_a_part_of_a_log_with_exit_code_2(written, tmp_path, capsys):
+    path = written(gap=np.full(50, 1e-3), first=1000, complete=False)
+    assert main(["figures", "--false-positive", str(path), "-o", str(tmp_path / "figures")]) == 2
+    assert "collision log is incomplete" in capsys.readouterr().err
+    assert not (tmp_path / "figures").exists()
+
+
+def test_figures_of_nothing_names_the_options(capsys):
+    assert main(["figures"]) == 2
+    assert "--false-positive" in capsys.readouterr().err
+
+
+def test_folder_that_cannot_be_made_is_exit_code_4(e02, tmp_path, capsys):
+    (tmp_path / "taken").write_text("")
+    assert main(["figures", "--true-collapse", str(e02), "-o", str(tmp_path / "taken")]) == 4
+    assert "taken: folder cannot be made" in capsys.readouterr().err
+
+
+def test_report_holds_a_column_per_run_and_links_the_figures(e06, e02, tmp_path):
+    main(["figures", "--true-collapse", str(e02), "-o", str(tmp_path / "out" / "figures")])
+    report = tmp_path / "out" / "report.md"
+    assert main(["report-md", str(e06), str(e02), "-o", str(report)]) == 0
+    text = report.read_text(encoding="utf-8")
+    assert "| | `e06.h5` | `e02.h5` |" in text
+    assert "| **verdict** | **temporary** | **true** |" in text
+    assert "17\N{EN DASH}2305" in text and "0123abc" in text and "5.063" in text
+    assert "](figures/figure-6.png)" in text
+    assert "figure-1" not in text  # was not drawn
+
+
+def test_report_gives_first_hit_as_collision_per_sphere_and_time(written, tmp_path):
+    # Collision 3 of 4: 2 x 3 / 4000 = 0.0015 collisions per sphere.
+    path = written(gap=[1, 1, 0, 1], time=[0.1, 0.2, 0.25, 0.3])
+    main(["report-md", str(path), "-o", str(tmp_path / "report.md")])
+    text = (tmp_path / "report.md").read_text(encoding="utf-8")
+    assert "| first hit | 3 (0.0015 per sphere), time 0.25 |" in text
+    assert "| last hit | 3 (0.0015 per sphere), time 0.25 |" in text
+
+
+def test_report_needs_no_collision_log(written, tmp_path):
+    path = written(gap=[1, 0], log=False)
+    assert main(["report-md", str(path), "-o", str(tmp_path / "report.md")]) == 0
+
+
+def test_module_runs_without_installation_and_exits_with_2_on_wrong_input(tmp_path):
+    python = Path(__file__).resolve().parents[2] / "python"
+    done = subprocess.run([sys.executable, "-m", "zenosphere", "report-md", "nowhere.h5"],
+                          cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(python)},
+                          capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stderr.startswith("nowhere.h5: no such file")
+
+
+def test_flag_bits_mark_the_hits_also_where_the_gap_is_larger(written, tmp_path):
+    """A raised threshold makes hits above the floor; they are drawn, and counted, as hits."""
+    path = written(gap=np.geomspace(1e-13, 1e-3, 100), threshold=1e-12)
+    with h5py.File(path) as file:
+        assert file["collisions/flags"][:].sum() == 10
+    assert main(["figures", "--run", str(path), "-o", str(tmp_path / "figures")]) == 0
