@@ -23,7 +23,9 @@ constexpr double sphere_volume() {
 
 /// Cube root by Newton's method: the C library's may differ between machines in the last bit.
 double cube_root(double value) {
-  double root = value > 1 ? value : 1;
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  double root = std::ldexp(1.0, exponent / 3 + 1);  // above the root, below four times it
   for (;;) {
     const double next = root - (root * root * root - value) / (3 * root * root);
     if (!(next < root)) return root;  // falls monotonically from above until rounding
@@ -98,14 +100,6 @@ double box_side(std::int64_t spheres, double solids_volume_fraction) {
   const double volume =
       static_cast<double>(spheres) * sphere_volume<Dim>() / solids_volume_fraction;
   return Dim == 1 ? volume : Dim == 2 ? std::sqrt(volume) : cube_root(volume);
-}
-
-std::pair<std::int64_t, std::int64_t> fcc_numbers_around(std::int64_t spheres) {
-  std::int64_t n = 1;
-  while (4 * n * n * n < spheres) ++n;
-  const std::int64_t above = 4 * n * n * n;
-  if (above == spheres) return {spheres, spheres};
-  return {4 * (n - 1) * (n - 1) * (n - 1), above};
 }
 
 template <int Dim>

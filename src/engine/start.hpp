@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 
 #include "engine/arrangement.hpp"
 #include "engine/simulation.hpp"
@@ -21,10 +20,6 @@ struct StartRequest {
 /// Made of IEEE operations only, so that it is the same on every machine.
 template <int Dim>
 double box_side(std::int64_t spheres, double solids_volume_fraction);
-
-/// The numbers of spheres next to `spheres`, below and above, that fill an fcc lattice: 4 n^3.
-/// The first is 0 where there is none below.
-std::pair<std::int64_t, std::int64_t> fcc_numbers_around(std::int64_t spheres);
 
 /// Spheres placed in a cubic box, with Gaussian peculiar velocities.
 ///

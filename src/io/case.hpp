@@ -53,8 +53,8 @@ struct Case {
   struct Output {
     std::optional<double> snapshot_interval;  ///< time; none: only the first and the last state
     CollisionLog collision_log = CollisionLog::all;
-    std::int64_t log_first = 1;                ///< first collision of a windowed log
-    std::optional<std::int64_t> log_last;      ///< last collision of a windowed log
+    std::int64_t log_first = 1;            ///< first collision of a windowed log
+    std::optional<std::int64_t> log_last;  ///< last collision of a windowed log
   } output;
 
   std::string text;  ///< the file as it was read, byte for byte

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "flow/averages.hpp"
+
 namespace zenosphere {
 
 /// What a run came to, in plain numbers: the content of `--json`, of `info`, and of the
@@ -17,9 +19,9 @@ struct Summary {
   double collisions_per_sphere = 0;
   double time = 0;
   double strain = 0;
-  std::string outcome;     ///< "finished" | "collapsed" | "interrupted"
-  std::string ended_by;    ///< "collisions" | "time" | "arrest" | "overlap" | "signal" | "at rest"
-  std::string verdict;     ///< "none" | "temporary" | "open" | "true"
+  std::string outcome;   ///< "finished" | "collapsed" | "interrupted"
+  std::string ended_by;  ///< "collisions" | "time" | "arrest" | "overlap" | "signal" | "at rest"
+  std::string verdict;   ///< "none" | "temporary" | "open" | "true"
 
   struct Separation {
     std::int64_t hits = 0;
@@ -41,21 +43,7 @@ struct Summary {
   std::int64_t overlaps_ignored = 0;    ///< predictions that `guarded` let pass
   std::int64_t receding = 0;            ///< contacts that rounding had turned into recession
 
-  /// Time averages from `from_time` to `to_time`; absent where that span is empty.
-  struct Averages {
-    double granular_temperature = 0;            ///< (diameter/time)^2
-    std::vector<double> temperature_diagonal;   ///< D values
-    double pressure = 0;                        ///< mass/(diameter^(D-2) time^2)
-    std::vector<double> pressure_tensor;        ///< D x D values
-    double collision_rate = 0;                  ///< collisions per sphere per time
-    double dissipation = 0;                     ///< energy lost per volume and time
-    double shear_work = 0;                      ///< -P_xy shear_rate: work per volume and time
-    double compressibility_factor = 0;
-    double normal_speed = 0;                    ///< mean closing speed of the collisions
-    double from_time = 0;
-    double to_time = 0;
-  };
-  std::optional<Averages> averages;
+  std::optional<Averages> averages;  ///< absent where the measured span is empty
 
   double ledger_error = 0;  ///< relative
   double wall_seconds = 0;
@@ -65,6 +53,11 @@ struct Summary {
 
 /// One JSON object on one line, keys as in docs/summary.md; absent values are null.
 std::string to_json(const Summary& summary, int dimension);
+
+/// The summary that such a text describes.
+///
+/// Throws InputError if it is not one, as in a damaged file.
+Summary summary_from_json(const std::string& text);
 
 /// The summary for people: some lines of aligned text, the verdict first.
 std::string to_text(const Summary& summary, int dimension);

@@ -1,0 +1,191 @@
+#include "io/case_entries.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace zenosphere::case_format {
+namespace {
+
+/// Longest piece of the user's text that a message repeats [bytes]: it still fits on a line.
+constexpr std::size_t longest_shown = 60;
+
+std::string shortened(std::string_view text) {
+  if (text.size() <= longest_shown) return std::string(text);
+  std::size_t end = longest_shown;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // whole UTF-8
+  return std::string(text.substr(0, end)) + "...";
+}
+
+/// Longest line of a case file [bytes]. toml++ frees nested tables by recursion, so that a dotted
+/// key of some hundred thousand parts would exhaust the stack.
+constexpr std::size_t longest_line = 10'000;
+
+/// Number of the first line that is too long, from 1, or nothing.
+std::optional<std::int64_t> line_too_long(std::string_view text) {
+  std::int64_t number = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > longest_line) return number;
+    begin = end + 1;
+  }
+  return std::nullopt;
+}
+
+bool is_bare(std::string_view part) {
+  const auto bare = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+  return !part.empty() && std::all_of(part.begin(), part.end(), bare);
+}
+
+std::string key_part(const std::string& part) {
+  return shortened(is_bare(part) ? part : quoted(part));
+}
+
+/// An override as the command line has it, on one line whatever it holds.
+std::string override_text(const std::string& text) {
+  const auto control = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  return "--set " + (std::any_of(text.begin(), text.end(), control) ? quoted(text) : text);
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+Value value_of(const toml::node& node) {
+  if (const auto* boolean = node.as_boolean()) return boolean->get();
+  if (const auto* integer = node.as_integer()) return integer->get();
+  if (const auto* real = node.as_floating_point()) return real->get();
+  if (const auto* text = node.as_string()) return text->get();
+  if (node.is_array()) return Other{"[...]", "an array"};
+  if (node.is_table()) return Other{"{...}", "a table"};
+  return Other{"...", "a date or time"};
+}
+
+Place place_of(const toml::source_region& region, const std::string& name) {
+  return Place::in_file(name, region.begin.line, region.begin.column);
+}
+
+void append_table(const toml::table& table, const std::string& table_name, const std::string& name,
+                  std::vector<Entry>& entries) {
+  for (auto&& [key, node] : table) {
+    entries.push_back({table_name, std::string(key.str()), value_of(node),
+                       place_of(key.source(), name), place_of(node.source(), name)});
+  }
+}
+
+std::string lower_case_start(std::string_view text) {
+  std::string lowered(text);
+  if (!lowered.empty()) lowered[0] = static_cast<char>(std::tolower(lowered[0]));
+  return lowered;
+}
+
+/// The TOML value that `text` is as a whole, or nothing.
+std::optional<Value> toml_value(const std::string& text) {
+  if (line_too_long(text)) return std::nullopt;
+  try {
+    const toml::table parsed = toml::parse("value = " + text, std::string_view{});
+    if (parsed.size() != 1) return std::nullopt;  // `text` held lines of its own
+    return value_of(*parsed.get("value"));
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::string Entry::key() const {
+  return table.empty() ? key_part(name) : key_part(table) + "." + key_part(name);
+}
+
+std::vector<Entry> entries_of(std::string_view text, const std::string& name) {
+  if (const auto number = line_too_long(text)) {
+    throw InputError(fmt::format("{}: line of more than {} bytes; break it",
+                                 Place::in_file(name, *number, 1).text, longest_line));
+  }
+  std::vector<Entry> entries;
+  try {
+    const toml::table root = toml::parse(text, std::string_view{});
+    for (auto&& [key, node] : root) {
+      const Value value = node.is_table() ? Value(TableHead{}) : value_of(node);
+      entries.push_back({"", std::string(key.str()), value, place_of(key.source(), name),
+                         place_of(node.source(), name)});
+      if (const auto* table = node.as_table()) {
+        append_table(*table, std::string(key.str()), name, entries);
+      }
+    }
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}: not valid TOML ({})", place_of(error.source(), name).text,
+                                 lower_case_start(error.description())));
+  }
+  return entries;
+}
+
+std::vector<Entry> entries_of(std::span<const std::string> overrides, Problems& problems) {
+  std::vector<Entry> entries;
+  for (std::size_t n = 0; n < overrides.size(); ++n) {
+    const std::string& text = overrides[n];
+    const Place place = Place::in_override(override_text(text), static_cast<std::int64_t>(n));
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || trimmed(text.substr(0, equals)).empty()) {
+      problems.add(place, "not an override (needs KEY=VALUE); write system.restitution=0.2");
+      continue;
+    }
+    const std::string key = trimmed(text.substr(0, equals));
+    const std::string written = trimmed(text.substr(equals + 1));
+    const std::size_t dot = key.find('.');
+    const bool dotted = dot != std::string::npos;
+    entries.push_back({dotted ? key.substr(0, dot) : "", dotted ? key.substr(dot + 1) : key,
+                       toml_value(written).value_or(Value(written)), place, place});
+  }
+  return entries;
+}
+
+std::string shown(const Value& value) {
+  const auto text = [](const auto& held) -> std::string {
+    using Held = std::decay_t<decltype(held)>;
+    if constexpr (std::is_same_v<Held, std::string>) return quoted(shortened(held));
+    if constexpr (std::is_same_v<Held, double>) return real_text(held);
+    if constexpr (std::is_same_v<Held, Other>) return held.shown;
+    if constexpr (std::is_same_v<Held, TableHead>) return "{...}";
+    if constexpr (std::is_arithmetic_v<Held>) return fmt::format("{}", held);
+  };
+  return std::visit(text, value);
+}
+
+std::string kind_of(const Value& value) {
+  if (std::holds_alternative<bool>(value)) return "true or false";
+  if (std::holds_alternative<std::int64_t>(value)) return "an integer";
+  if (std::holds_alternative<double>(value)) return "a real number";
+  if (std::holds_alternative<std::string>(value)) return "text";
+  if (const auto* other = std::get_if<Other>(&value)) return other->kind;
+  return "a table";
+}
+
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    if (c == '"' || c == '\\') {
+      result += {'\\', c};
+    } else if (is_control) {
+      result += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+std::string real_text(double number) {
+  const std::string digits = fmt::format("{}", number);
+  return digits.find_first_of(".en") == std::string::npos ? digits + ".0" : digits;
+}
+
+}  // namespace zenosphere::case_format

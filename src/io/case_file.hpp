@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "io/case.hpp"
+
+namespace zenosphere {
+
+/// The case that a TOML file describes, with overrides from the command line applied.
+///
+/// docs/case-file.md lists the keys. An override `KEY=VALUE` has a dotted key, as in
+/// `system.restitution=0.2`; it replaces the file's value or adds a missing key, the last one wins.
+///
+/// \param file       at most 1 MiB of UTF-8, lines of at most 10000 bytes
+/// \param overrides  the arguments of `--set`
+/// Throws InputError: one line `file:line:column: key = value (why); what to do` for each problem,
+/// in the order of the file; problems of overrides follow, then missing keys.
+Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides);
+
+/// The case that a TOML text describes; as read_case, for a text that is already here.
+///
+/// \param name  what the error messages call the text, as a rule its file
+Case parse_case(std::string text, const std::string& name, std::span<const std::string> overrides);
+
+/// A complete TOML text of a case: every key that has a value in it, defaults included, in the
+/// order of the reference page. parse_case makes the same case of it, bit for bit.
+std::string resolved_toml(const Case& values);
+
+}  // namespace zenosphere

@@ -1,0 +1,156 @@
+#include "io/case_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <map>
+#include <set>
+#include <variant>
+
+#include "io/case_rules.hpp"
+#include "io/case_table.hpp"
+
+namespace zenosphere::case_format {
+namespace {
+
+/// Turns entries into a case: first each by itself, then each key of the table, then the rules.
+class Reader {
+ public:
+  Reader(const std::string& name, Problems& problems) : name_(name), problems_(problems) {}
+
+  void read(const Entry& entry);
+  void check_presence(const Key& key);
+  void check_end_of_run();
+  void check(const Rule& rule);
+  const Case& values() const { return values_; }
+
+ private:
+  void reject_unknown_table(const Entry& head);
+  void reject_unknown_key(const Entry& entry);
+  void blame(std::string_view path, const std::string& objection);
+  bool was_meant(const Key& key) const;
+  bool is_given(std::string_view path) const { return given_.contains(path); }
+  bool is_settled(std::string_view path) const { return !unsettled_.contains(path); }
+  bool may_stand_idle(const Key& key) const;
+
+  const std::string& name_;
+  Problems& problems_;
+  Case values_;
+  std::map<std::string, const Entry*, std::less<>> given_;  ///< by path, right or wrong
+  std::set<std::string, std::less<>> unsettled_;            ///< keys whose value is not known
+  std::set<std::string, std::less<>> unknown_tables_;
+  std::set<std::string, std::less<>> meant_;  ///< paths and tables that a wrong name stands for
+};
+
+void Reader::read(const Entry& entry) {
+  if (std::holds_alternative<TableHead>(entry.value)) return reject_unknown_table(entry);
+  if (unknown_tables_.contains(entry.table)) return;  // told once, at its head
+  if (entry.table.empty() && is_table(entry.name)) {
+    problems_.add(entry.value_place,
+                  fmt::format("{} = {} (is a table, not a key); give its keys under [{}]",
+                              entry.key(), shown(entry.value), entry.name));
+    meant_.insert(entry.name);
+    return;
+  }
+  const Key* key = key_named(entry.table, entry.name);
+  if (!key) return reject_unknown_key(entry);
+  given_.emplace(key->path(), &entry);
+  if (const auto objection = store(*key, entry.value, values_)) blame(key->path(), *objection);
+}
+
+void Reader::reject_unknown_table(const Entry& head) {
+  if (is_table(head.name)) return;
+  unknown_tables_.insert(head.name);
+  const auto meant = nearest_table(head.name);
+  if (meant) meant_.emplace(*meant);
+  problems_.add(head.key_place, fmt::format("unknown table [{}]", head.key()) +
+                                    (meant ? fmt::format("; did you mean [{}]?", *meant) : ""));
+}
+
+void Reader::reject_unknown_key(const Entry& entry) {
+  std::string text = "unknown key " + entry.key();
+  if (const Key* meant = nearest_key(entry.table, entry.name)) {
+    const bool same_table = meant->table == entry.table;
+    text +=
+        fmt::format("; did you mean {}?", same_table ? std::string(meant->name) : meant->path());
+    meant_.insert(meant->path());
+  }
+  problems_.add(entry.key_place, text);
+}
+
+/// Reports the value that was given for a key and remembers that it is not to be used.
+void Reader::blame(std::string_view path, const std::string& objection) {
+  const auto given = given_.find(path);
+  assert(given != given_.end());  // nobody is to blame for a default
+  const Entry& entry = *given->second;
+  problems_.add(entry.value_place, fmt::format("{} = {} {}", path, shown(entry.value), objection));
+  unsettled_.emplace(path);
+}
+
+bool Reader::was_meant(const Key& key) const {
+  return meant_.contains(key.path()) || meant_.contains(key.table);
+}
+
+/// Whether a key that has no meaning in this case is no mistake: it has its default value, or an
+/// override took away what it belongs to.
+bool Reader::may_stand_idle(const Key& key) const {
+  const auto is_override = [&](std::string_view path) {
+    const auto given = given_.find(path);
+    return given != given_.end() && given->second->key_place.is_override();
+  };
+  Case chosen = values_;
+  Case untouched;
+  const Slot default_slot = key.slot(untouched);
+  const bool is_default =
+      std::visit([&](auto* slot) { return *slot == *std::get<decltype(slot)>(default_slot); },
+                 key.slot(chosen));
+  return is_default || (is_override(key.condition->depends_on) && !is_override(key.path()));
+}
+
+/// Checks that the key is there where it must be, and only there. Needs the keys before it.
+void Reader::check_presence(const Key& key) {
+  const std::string path = key.path();
+  if (key.condition && !is_settled(key.condition->depends_on)) {
+    unsettled_.insert(path);
+    return;
+  }
+  const bool exists = key.exists_in(values_);
+  if (is_given(path)) {
+    if (exists || !is_settled(path) || may_stand_idle(key)) return;
+    return blame(path, fmt::format("(only for {}); remove it", key.condition->text));
+  }
+  if (key.presence == Presence::optional || !exists) return;
+  unsettled_.insert(path);
+  if (was_meant(key)) return;
+  problems_.add(Place::absent(name_),
+                fmt::format("missing key {} (physics has no default); add {} = ... under [{}]",
+                            path, key.name, key.table));
+}
+
+void Reader::check_end_of_run() {
+  if (is_given("run.collisions") || is_given("run.time")) return;
+  if (was_meant(*key_named("run", "collisions")) || was_meant(*key_named("run", "time"))) return;
+  problems_.add(Place::absent(name_),
+                "missing key run.collisions or run.time (a run needs an end); add one under [run]");
+}
+
+void Reader::check(const Rule& rule) {
+  const auto settled = [&](std::string_view path) { return is_settled(path); };
+  if (!std::all_of(rule.keys.begin(), rule.keys.end(), settled)) return;
+  if (const auto objection = rule.objection(values_)) blame(rule.keys.front(), *objection);
+}
+
+}  // namespace
+
+Case case_of(std::span<const Entry> entries, const std::string& name, Problems& problems) {
+  Reader reader(name, problems);
+  for (const Entry& entry : entries) reader.read(entry);
+  for (const Key& key : keys()) reader.check_presence(key);
+  reader.check_end_of_run();
+  for (const Rule& rule : rules()) reader.check(rule);
+  return reader.values();
+}
+
+}  // namespace zenosphere::case_format

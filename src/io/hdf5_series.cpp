@@ -1,0 +1,96 @@
+#include "io/hdf5_series.hpp"
+
+#include <bit>
+
+#include "io/hdf5_checked.hpp"
+
+namespace zenosphere::hdf5 {
+namespace {
+
+/// The type of a number, in memory and in the file alike.
+hid_t number_type(Type type) {
+  static_assert(std::endian::native == std::endian::little);
+  switch (type) {
+    case Type::uint8:
+      return H5T_STD_U8LE;
+    case Type::int32:
+      return H5T_STD_I32LE;
+    case Type::int64:
+      return H5T_STD_I64LE;
+    case Type::float64:
+      return H5T_IEEE_F64LE;
+  }
+  throw Error("unknown type");
+}
+
+std::vector<hsize_t> extents(std::int64_t rows, const std::vector<std::int64_t>& row_shape) {
+  std::vector<hsize_t> result{static_cast<hsize_t>(rows)};
+  result.insert(result.end(), row_shape.begin(), row_shape.end());
+  return result;
+}
+
+/// The space of `dataset` with `count` rows from `first` on selected.
+Handle selected_rows(const Handle& dataset, std::int64_t first, const std::vector<hsize_t>& count) {
+  Handle space = owned(H5Dget_space(dataset.id()));
+  std::vector<hsize_t> start(count.size(), 0);
+  start[0] = static_cast<hsize_t>(first);
+  checked(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
+                              nullptr));
+  return space;
+}
+
+std::vector<std::int64_t> shape_of(const Handle& dataset) {
+  const Handle space = owned(H5Dget_space(dataset.id()));
+  std::vector<hsize_t> dims(checked(H5Sget_simple_extent_ndims(space.id())));
+  checked(H5Sget_simple_extent_dims(space.id(), dims.data(), nullptr));
+  return {dims.begin(), dims.end()};
+}
+
+}  // namespace
+
+std::vector<std::int64_t> shape(const Handle& parent, const std::string& path) {
+  return shape_of(opened(parent, path));
+}
+
+void read_rows(const Handle& dataset, Type type, std::int64_t first, std::int64_t count,
+               void* rows) {
+  const auto all = shape_of(dataset);
+  if (all.empty()) throw Error("a single value where rows are expected");
+  const auto block = extents(count, {all.begin() + 1, all.end()});
+  const Handle selection = selected_rows(dataset, first, block);
+  const Handle memory = simple_space(block);
+  checked(H5Dread(dataset.id(), number_type(type), memory.id(), selection.id(), H5P_DEFAULT, rows));
+}
+
+Series::Series(const Handle& parent, const std::string& name, Type type,
+               const std::vector<std::int64_t>& row_shape, std::int64_t rows_per_chunk)
+    : type_(type), row_shape_(row_shape) {
+  for (const auto extent : row_shape) row_size_ *= extent;
+  const auto empty = extents(0, row_shape);
+  const auto chunk = extents(rows_per_chunk, row_shape);
+  auto largest = empty;
+  largest[0] = H5S_UNLIMITED;
+  const int rank = static_cast<int>(empty.size());
+  const Handle space = owned(H5Screate_simple(rank, empty.data(), largest.data()));
+  const Handle creation = owned(H5Pcreate(H5P_DATASET_CREATE));
+  checked(H5Pset_chunk(creation.id(), rank, chunk.data()));
+  checked(H5Pset_fill_time(creation.id(), H5D_FILL_TIME_NEVER));  // no row is seen before it is set
+  checked(H5Pset_obj_track_times(creation.id(), false));          // same run, same bytes
+  const Handle access = owned(H5Pcreate(H5P_DATASET_ACCESS));
+  checked(H5Pset_chunk_cache(access.id(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT));
+  dataset_ = owned(H5Dcreate2(parent.id(), name.c_str(), number_type(type), space.id(), H5P_DEFAULT,
+                              creation.id(), access.id()));
+}
+
+void Series::append_rows(const void* rows, std::int64_t count) {
+  if (count == 0) return;
+  const auto block = extents(count, row_shape_);
+  checked(H5Dset_extent(dataset_.id(), extents(length_ + count, row_shape_).data()));
+  const Handle selection = selected_rows(dataset_, length_, block);
+  const Handle memory = simple_space(block);
+  checked(
+      H5Dwrite(dataset_.id(), number_type(type_), memory.id(), selection.id(), H5P_DEFAULT, rows));
+  length_ += count;
+}
+
+}  // namespace zenosphere::hdf5

@@ -1,0 +1,115 @@
+#include "io/output_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "io/hdf5.hpp"
+#include "io/hdf5_series.hpp"
+#include "io/output_file.hpp"
+#include "model/errors.hpp"
+
+namespace zenosphere {
+namespace {
+
+namespace fs = std::filesystem;
+using hdf5::Handle;
+
+[[noreturn]] void reject(const fs::path& path, const std::string& text) {
+  throw InputError(path.string() + ": " + text);
+}
+
+/// Opens a file of this program whose format this version knows.
+Handle opened_output(const fs::path& path) {
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  if (!fs::exists(status)) reject(path, "does not exist; name an output file of a run");
+  if (fs::is_directory(status)) reject(path, "is a folder; name an output file of a run");
+  Handle file;
+  try {
+    file = hdf5::opened_file(path);
+  } catch (const hdf5::Error&) {
+    if (hdf5::is_hdf5(path)) throw;
+    reject(path, "is not an HDF5 file; name an output file of a run");
+  }
+  if (!hdf5::contains(file, "zenosphere")) {
+    reject(path, "has no group /zenosphere (it is not an output of this program)");
+  }
+  return file;
+}
+
+void require_known_format(const fs::path& path, const OutputInfo& info) {
+  if (info.format_version <= output_format_version) return;
+  reject(path,
+         fmt::format("has format version {} (this program reads up to {}); use zenosphere {}, "
+                     "which wrote it, or newer",
+                     info.format_version, output_format_version, info.program_version));
+}
+
+/// The last entry of a dataset of numbers.
+template <class T>
+T last_value(const Handle& file, const std::string& path, std::int64_t length) {
+  T value{};
+  hdf5::read_rows(hdf5::opened(file, path), hdf5::type_of<T>, length - 1, 1, &value);
+  return value;
+}
+
+void read_provenance(const Handle& own, OutputInfo& info) {
+  info.git_hash = hdf5::text_attribute(own, "git_hash");
+  info.compiler = hdf5::text_attribute(own, "compiler");
+  info.compiler_flags = hdf5::text_attribute(own, "compiler_flags");
+  info.complete = hdf5::number_attribute(own, "complete") == 1;
+  info.case_text = hdf5::text(own, "case");
+  info.resolved_case = hdf5::text(own, "resolved");
+  if (hdf5::contains(own, "summary")) info.summary = hdf5::text(own, "summary");
+}
+
+std::int64_t extent(const Handle& file, const std::string& path, std::size_t axis) {
+  const auto shape = hdf5::shape(file, path);
+  if (axis >= shape.size()) throw hdf5::Error(path + " has too few dimensions");
+  return shape[axis];
+}
+
+void read_extents(const Handle& file, OutputInfo& info) {
+  info.spheres = extent(file, "particles/spheres/position/value", 1);
+  info.dimension = static_cast<int>(extent(file, "particles/spheres/position/value", 2));
+  info.snapshots = extent(file, "particles/spheres/position/step", 0);
+  info.logged_collisions = extent(file, "collisions/k", 0);
+  const Handle log = hdf5::opened(file, "collisions");
+  info.log_complete = hdf5::number_attribute(log, "complete") == 1;
+}
+
+void read_end(const Handle& file, OutputInfo& info) {
+  if (const auto rows = info.snapshots; rows > 0) {
+    info.last_collision = last_value<std::int64_t>(file, "particles/spheres/position/step", rows);
+    info.last_time = last_value<double>(file, "particles/spheres/position/time", rows);
+  }
+  if (const auto rows = info.logged_collisions; rows > 0) {
+    const auto last = last_value<std::int64_t>(file, "collisions/k", rows);
+    if (last <= info.last_collision) return;
+    info.last_collision = last;
+    info.last_time = last_value<double>(file, "collisions/time", rows);
+  }
+}
+
+}  // namespace
+
+OutputInfo read_output_info(const fs::path& path) {
+  try {
+    const Handle file = opened_output(path);
+    OutputInfo info;
+    const Handle own = hdf5::opened(file, "zenosphere");
+    info.format_version = hdf5::number_attribute(own, "format_version");
+    info.program_version = hdf5::text_attribute(own, "program_version");
+    require_known_format(path, info);
+    read_provenance(own, info);
+    read_extents(file, info);
+    read_end(file, info);
+    return info;
+  } catch (const hdf5::Error& error) {
+    reject(path, fmt::format("cannot be read ({}); it may be damaged", error.what()));
+  }
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace zenosphere {
+
+/// What an output file says about itself and its run.
+struct OutputInfo {
+  std::int64_t format_version = 0;
+  std::string program_version, git_hash, compiler, compiler_flags;
+  std::string case_text;      ///< the case file as it was read
+  std::string resolved_case;  ///< TOML, every key with the value used
+
+  bool complete = false;               ///< the run ended and everything is written
+  std::optional<std::string> summary;  ///< JSON; absent in an unfinished file
+
+  int dimension = 0;
+  std::int64_t spheres = 0;
+  std::int64_t snapshots = 0;
+  std::int64_t logged_collisions = 0;
+  bool log_complete = false;  ///< every collision of a finished run is in the log
+
+  std::int64_t last_collision = 0;  ///< the farthest that snapshots and log reach
+  double last_time = 0;             ///< its time
+};
+
+/// Reads an output file, of a finished, an interrupted or a running run.
+///
+/// Throws InputError where there is no file, it is not HDF5, not of this program, of a newer
+/// format, or damaged.
+OutputInfo read_output_info(const std::filesystem::path& path);
+
+}  // namespace zenosphere

@@ -1,0 +1,206 @@
+#include "io/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <nlohmann/json.hpp>
+
+namespace zenosphere {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A number that is not finite becomes null in nlohmann's dump: JSON has no other way to say so.
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// D arrays of D.
+Json matrix(const std::vector<double>& values, int dimension) {
+  assert(values.size() == static_cast<std::size_t>(dimension * dimension));
+  Json result = Json::array();
+  for (auto row = values.begin(); row != values.end(); row += dimension) {
+    result.push_back(std::vector<double>(row, row + dimension));
+  }
+  return result;
+}
+
+Json separation(const Summary::Separation& separation) {
+  return {{"hits", separation.hits},
+          {"first_collision", or_null(separation.first_collision)},
+          {"first_time", or_null(separation.first_time)},
+          {"last_collision", or_null(separation.last_collision)}};
+}
+
+Json arrest(const Summary::Arrest& arrest) {
+  Json pairs = Json::array();
+  for (const auto& [i, j] : arrest.pairs) pairs.push_back(Json::array({i, j}));
+  return {{"met", arrest.met},
+          {"collision", or_null(arrest.collision)},
+          {"time", or_null(arrest.time)},
+          {"window", arrest.window},
+          {"pairs", pairs}};
+}
+
+/// The keys of `averages`, each null where nothing was averaged.
+Json averages(const std::optional<Averages>& averages, int dimension) {
+  const auto a = averages.value_or(Averages{});
+  Json result = {
+      {"granular_temperature", a.granular_temperature},
+      {"temperature_diagonal", a.temperature_diagonal},
+      {"pressure", a.pressure},
+      {"pressure_tensor", averages ? matrix(a.pressure_tensor, dimension) : Json(nullptr)},
+      {"collision_rate", a.collision_rate},
+      {"dissipation", a.dissipation},
+      {"compressibility_factor", a.compressibility_factor},
+      {"from_time", a.from_time},
+      {"to_time", a.to_time},
+      {"shear_work", a.shear_work},
+      {"normal_speed", a.normal_speed}};
+  if (!averages) {
+    for (auto& value : result) value = nullptr;
+  }
+  return result;
+}
+
+/// What the verdict means, for a reader who has not read the paper.
+std::string verdict_sentence(const Summary& summary) {
+  if (summary.verdict == "none") {
+    return "No collapse: no two spheres about to collide ever came as close as the threshold.";
+  }
+  if (summary.verdict == "temporary") {
+    return fmt::format(
+        "No collapse, but a false alarm: the separation criterion was met and then left;\n"
+        "it was not met again during the last {} collisions.",
+        summary.arrest.window);
+  }
+  if (summary.verdict == "open") {
+    return "Undecided: the separation criterion was still being met when the run ended, the "
+           "arrest\n"
+           "criterion was not; a longer run decides.";
+  }
+  assert(summary.verdict == "true");
+  return "Collapse: the arrest criterion was met. The same few pairs collide again and again "
+         "without\n"
+         "separating, and time stands still at machine precision.";
+}
+
+/// One line of the table: the names of all lines end in the same column.
+std::string line(std::string_view name, const std::string& value) {
+  return fmt::format("  {:<24}{}\n", name, value);
+}
+
+std::string with_unit(double value, std::string_view unit) {
+  return fmt::format("{:.6g} {}", value, unit);
+}
+
+std::string run_lines(const Summary& s) {
+  return line("outcome", fmt::format("{} (ended by: {})", s.outcome, s.ended_by)) +
+         line("collisions",
+              fmt::format("{} ({:.6g} per sphere)", s.collisions, s.collisions_per_sphere)) +
+         line("time", fmt::format("{:.6g} (strain {:.6g})", s.time, s.strain));
+}
+
+std::string separation_text(const Summary::Separation& separation) {
+  if (!separation.first_collision) return "never met";
+  return fmt::format("{} hits, collisions {} to {}, first at time {:.6g}", separation.hits,
+                     *separation.first_collision, separation.last_collision.value_or(0),
+                     separation.first_time.value_or(0));
+}
+
+/// The first few pairs; a cluster can have hundreds.
+std::string pairs_text(const std::vector<std::pair<std::int64_t, std::int64_t>>& pairs) {
+  constexpr std::size_t shown = 6;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(shown, pairs.size()); ++k) {
+    text += fmt::format("{}{}-{}", k == 0 ? "" : " ", pairs[k].first, pairs[k].second);
+  }
+  if (pairs.size() > shown) text += fmt::format(" and {} more", pairs.size() - shown);
+  return text;
+}
+
+std::string arrest_text(const Summary::Arrest& arrest) {
+  if (!arrest.met) return fmt::format("not met, window {} collisions", arrest.window);
+  return fmt::format("met at collision {}, time {:.6g}, window {} collisions",
+                     arrest.collision.value_or(0), arrest.time.value_or(0), arrest.window);
+}
+
+std::string criteria_lines(const Summary& s) {
+  return line("separation criterion", separation_text(s.separation)) +
+         line("arrest criterion", arrest_text(s.arrest)) +
+         (s.arrest.met ? line("arrested pairs", pairs_text(s.arrest.pairs)) : "") +
+         line("odd collisions",
+              fmt::format("{} absorbed, {} overlapping, {} receding; {} overlaps ignored",
+                          s.absorbed, s.overlap_collisions, s.receding, s.overlaps_ignored));
+}
+
+std::string row_text(const std::vector<double>& values, std::size_t first, std::size_t count) {
+  std::string text;
+  for (std::size_t k = first; k < first + count; ++k) text += fmt::format("{:<14.6g}", values[k]);
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+std::string average_lines(const Averages& a, std::size_t dimension) {
+  std::string text = fmt::format("averages from time {:.6g} to {:.6g}\n", a.from_time, a.to_time);
+  text += line("granular temperature", with_unit(a.granular_temperature, "(diameter/time)^2"));
+  text += line("  along each axis", row_text(a.temperature_diagonal, 0, dimension));
+  text += line("pressure", fmt::format("{:.6g}", a.pressure));
+  for (std::size_t row = 0; row < dimension; ++row) {
+    text +=
+        line(row == 0 ? "  tensor" : "", row_text(a.pressure_tensor, row * dimension, dimension));
+  }
+  text += line("compressibility factor", fmt::format("{:.6g}", a.compressibility_factor));
+  text += line("collision rate", with_unit(a.collision_rate, "per sphere and time"));
+  text += line("normal speed", with_unit(a.normal_speed, "diameter/time"));
+  text += line("dissipation", with_unit(a.dissipation, "per volume and time"));
+  text += line("shear work", with_unit(a.shear_work, "per volume and time"));
+  return text;
+}
+
+std::string cost_lines(const Summary& s) {
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  return line("energy ledger", fmt::format("closed to {:.2g} (relative)", s.ledger_error)) +
+         line("wall time", fmt::format("{:.3g} s ({:.3g} collisions/s)", s.wall_seconds,
+                                       s.collisions_per_second)) +
+         line("peak memory",
+              fmt::format("{:.1f} MiB", static_cast<double>(s.peak_memory_bytes) / mebibyte));
+}
+
+}  // namespace
+
+std::string to_json(const Summary& summary, int dimension) {
+  const Json json = {{"collisions", summary.collisions},
+                     {"collisions_per_sphere", summary.collisions_per_sphere},
+                     {"time", summary.time},
+                     {"strain", summary.strain},
+                     {"outcome", summary.outcome},
+                     {"verdict", summary.verdict},
+                     {"separation", separation(summary.separation)},
+                     {"arrest", arrest(summary.arrest)},
+                     {"absorbed", summary.absorbed},
+                     {"averages", averages(summary.averages, dimension)},
+                     {"ledger_error", summary.ledger_error},
+                     {"wall_seconds", summary.wall_seconds},
+                     {"collisions_per_second", summary.collisions_per_second},
+                     {"peak_memory_bytes", summary.peak_memory_bytes},
+                     {"ended_by", summary.ended_by},
+                     {"overlap_collisions", summary.overlap_collisions},
+                     {"overlaps_ignored", summary.overlaps_ignored},
+                     {"receding", summary.receding}};
+  return json.dump();
+}
+
+std::string to_text(const Summary& summary, int dimension) {
+  std::string text = verdict_sentence(summary) + "\n\n";
+  text += run_lines(summary) + criteria_lines(summary) + cost_lines(summary);
+  if (summary.averages) {
+    text += '\n';
+    text += average_lines(*summary.averages, static_cast<std::size_t>(dimension));
+  }
+  return text;
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,96 @@
+#include <nlohmann/json.hpp>
+
+#include "io/summary.hpp"
+#include "model/errors.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+using Json = nlohmann::json;
+
+template <class T>
+void read(const Json& object, const char* key, T& value) {
+  object.at(key).get_to(value);
+}
+
+/// Null stands for an absent value.
+template <class T>
+void read(const Json& object, const char* key, std::optional<T>& value) {
+  const Json& member = object.at(key);
+  if (!member.is_null()) value = member.get<T>();
+}
+
+/// Null stands for a number that is not finite.
+void read(const Json& object, const char* key, double& value) {
+  const Json& member = object.at(key);
+  value = member.is_null() ? std::numeric_limits<double>::quiet_NaN() : member.get<double>();
+}
+
+std::optional<Averages> averages(const Json& json) {
+  if (json.at("to_time").is_null()) return std::nullopt;
+  Averages averages;
+  read(json, "granular_temperature", averages.granular_temperature);
+  read(json, "temperature_diagonal", averages.temperature_diagonal);
+  read(json, "pressure", averages.pressure);
+  for (const Json& row : json.at("pressure_tensor")) {
+    for (const Json& component : row) averages.pressure_tensor.push_back(component.get<double>());
+  }
+  read(json, "collision_rate", averages.collision_rate);
+  read(json, "dissipation", averages.dissipation);
+  read(json, "compressibility_factor", averages.compressibility_factor);
+  read(json, "from_time", averages.from_time);
+  read(json, "to_time", averages.to_time);
+  read(json, "shear_work", averages.shear_work);
+  read(json, "normal_speed", averages.normal_speed);
+  return averages;
+}
+
+void read_collapse(const Json& json, Summary& summary) {
+  read(json, "verdict", summary.verdict);
+  const Json& separation = json.at("separation");
+  read(separation, "hits", summary.separation.hits);
+  read(separation, "first_collision", summary.separation.first_collision);
+  read(separation, "first_time", summary.separation.first_time);
+  read(separation, "last_collision", summary.separation.last_collision);
+  const Json& arrest = json.at("arrest");
+  read(arrest, "met", summary.arrest.met);
+  read(arrest, "collision", summary.arrest.collision);
+  read(arrest, "time", summary.arrest.time);
+  read(arrest, "window", summary.arrest.window);
+  read(arrest, "pairs", summary.arrest.pairs);
+}
+
+Summary summary_of(const Json& json) {
+  Summary summary;
+  read(json, "collisions", summary.collisions);
+  read(json, "collisions_per_sphere", summary.collisions_per_sphere);
+  read(json, "time", summary.time);
+  read(json, "strain", summary.strain);
+  read(json, "outcome", summary.outcome);
+  read_collapse(json, summary);
+  read(json, "absorbed", summary.absorbed);
+  summary.averages = averages(json.at("averages"));
+  read(json, "ledger_error", summary.ledger_error);
+  read(json, "wall_seconds", summary.wall_seconds);
+  read(json, "collisions_per_second", summary.collisions_per_second);
+  read(json, "peak_memory_bytes", summary.peak_memory_bytes);
+  read(json, "ended_by", summary.ended_by);
+  read(json, "overlap_collisions", summary.overlap_collisions);
+  read(json, "overlaps_ignored", summary.overlaps_ignored);
+  read(json, "receding", summary.receding);
+  return summary;
+}
+
+}  // namespace
+
+Summary summary_from_json(const std::string& text) {
+  try {
+    return summary_of(Json::parse(text));
+  } catch (const Json::exception& error) {
+    throw InputError("/zenosphere/summary: " + std::string(error.what()) +
+                     " (the file is damaged); run the case again");
+  }
+}
+
+}  // namespace zenosphere

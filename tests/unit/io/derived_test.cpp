@@ -1,0 +1,77 @@
+#include "io/derived.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "unit/io/case_texts.hpp"
+
+namespace zenosphere {
+namespace {
+
+/// What stands behind a label, without the blanks between; empty if the label is not there.
+std::string line_of(const Case& values, const std::string& label) {
+  const std::string text = '\n' + derived_text(values);
+  const std::size_t at = text.find("\n" + label + "  ");
+  if (at == std::string::npos) return "";
+  const std::size_t begin = text.find_first_not_of(' ', at + 1 + label.size());
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST(DerivedText, TellsBoxAndCellsOfThePaperCase) {
+  // L^3 = 4000 pi / 1.8 = 6981.3170, L = 19.112278; n = 6 x 0.3 / pi = 0.57295780; 19 layers of
+  // 19.112278 / 19 = 1.0059094; 19^3 = 6859.
+  const Case values = overridden(shear_case, {});
+  EXPECT_EQ(line_of(values, "number density"), "0.5729578 per diameter^3");
+  EXPECT_EQ(line_of(values, "box side"), "19.112278 diameters");
+  EXPECT_EQ(line_of(values, "layers"), "19");
+  EXPECT_EQ(line_of(values, "cells"), "6859");
+  EXPECT_EQ(line_of(values, "cell width"), "1.0059094 diameters");
+}
+
+TEST(BoxOf, GivesADiluteSystemAboutTwoCellsForASphere) {
+  // phi = 3e-7: L = 1911.23; 8000^(1/3) = 20 cells a side instead of 1911. The margin of a cell
+  // lets only 19 fit.
+  const Case dilute = overridden(shear_case, {"system.solids_volume_fraction=3e-7"});
+  EXPECT_EQ(box_of<3>(dilute).cells()[0], 19);
+}
+
+TEST(BoxOf, SlidesOnlyUnderShear) {
+  EXPECT_TRUE(box_of<3>(overridden(shear_case, {})).is_sheared());
+  EXPECT_FALSE(box_of<3>(overridden(cooling_case, {})).is_sheared());
+}
+
+TEST(DerivedText, TellsTheGapOfTheLattice) {
+  // The lattice is closest packed at phi_c = 0.74048049: gap = (phi_c / 0.3)^(1/3) - 1 = 0.3514.
+  EXPECT_EQ(line_of(overridden(shear_case, {}), "gap of lattice neighbours").substr(0, 6),
+            "0.3514");
+  EXPECT_EQ(
+      line_of(overridden(shear_case, {"start.arrangement=random"}), "gap of lattice neighbours"),
+      "");
+}
+
+TEST(DerivedText, TellsStrainOnlyUnderShear) {
+  const Case sheared = overridden(shear_case, {"drive.shear_rate=4", "run.time=10"});
+  EXPECT_EQ(line_of(sheared, "time of one strain unit"), "0.25 time");
+  EXPECT_EQ(line_of(sheared, "strain at run.time"), "40");
+  EXPECT_EQ(line_of(sheared, "strain at measure.after_time"), "0");
+  EXPECT_EQ(line_of(overridden(cooling_case, {}), "time of one strain unit"), "");
+  EXPECT_EQ(line_of(overridden(shear_case, {"drive.shear_rate=0"}), "time of one strain unit"), "");
+}
+
+TEST(DerivedText, TellsTheSizeOfTheOutput) {
+  // 2^20 collisions of 41 bytes; 2^14 of them in the window; 4000 x 48 bytes = 0.18310547 MiB.
+  const std::vector<std::string> limited{"run.collisions=1048576"};
+  EXPECT_EQ(line_of(overridden(cooling_case, limited), "collision log"), "41 MiB at most");
+  EXPECT_EQ(line_of(overridden(cooling_case, limited), "collisions per sphere"), "524.288 at most");
+  EXPECT_EQ(line_of(overridden(cooling_case, limited), "one snapshot"), "0.18310547 MiB");
+  EXPECT_EQ(
+      line_of(overridden(cooling_case, {"run.collisions=1048576", "output.collision_log=window",
+                                        "output.log_first=1001", "output.log_last=17384"}),
+              "collision log"),
+      "0.640625 MiB at most");
+  EXPECT_EQ(line_of(overridden(shear_case, {}), "collision log"), "");
+}
+
+}  // namespace
+}  // namespace zenosphere
