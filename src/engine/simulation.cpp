@@ -117,12 +117,13 @@ RelativeMotion<Dim, Real> Simulation<Dim, Real>::pair_motion(std::int32_t i, std
   const auto image = [&](const Steps<Dim>& way) {
     return box_.image(cells_.lag(a.cell, b.cell, way), cells_.layers(way), when);
   };
-  Steps<Dim> steps = cells_.steps_between(a.cell, b.cell);
-  // In a box of few cells the shortest way between cells may not be the one between the spheres.
+  Steps<Dim> steps{};
   for (int axis = Dim - 1; axis >= 0; --axis) {  // layers first: they decide about the columns
+    const auto index = static_cast<std::size_t>(axis);
+    steps[index] = cells_.steps_between(a.cell, b.cell, axis, cells_.layers(steps));
+    // In a box of few cells the shortest way between cells may not be the one between the spheres.
     const Real distance = dr[axis] + image(steps).position[axis];
     const Real half = box_.sides()[axis] / 2;
-    const auto index = static_cast<std::size_t>(axis);
     if (distance >= half) steps[index] -= box_.cells()[index];
     if (distance < -half) steps[index] += box_.cells()[index];
   }

@@ -95,16 +95,13 @@ void SlidingCells<Dim>::build_stencils(bool sliding) {
 }
 
 template <int Dim>
-Steps<Dim> SlidingCells<Dim>::steps_between(std::int32_t from, std::int32_t to) const {
-  const Steps<Dim> start = coordinates(from);
-  Steps<Dim> steps = coordinates(to);
-  for (int axis = Dim - 1; axis >= 0; --axis) {  // layers first: they decide about the columns
-    const auto a = static_cast<std::size_t>(axis);
-    int difference = steps[a] - start[a];
-    if (axis == 0) difference += layers(steps) * whole_slide_;
-    steps[a] = modulo(difference + cells_[a] / 2, cells_[a]) - cells_[a] / 2;
-  }
-  return steps;
+int SlidingCells<Dim>::steps_between(std::int32_t from, std::int32_t to, int axis,
+                                     int layers) const {
+  const auto a = static_cast<std::size_t>(axis);
+  int difference = coordinates(to)[a] - coordinates(from)[a];
+  if (axis == 0) difference += layers * whole_slide_;
+  const int half = cells_[a] / 2;
+  return modulo(difference + half, cells_[a]) - half;
 }
 
 template <int Dim>

@@ -55,7 +55,7 @@ class SlidingCells {
     return result;
   }
 
-  /// The same for a way of any length, as steps_between gives it.
+  /// The same for a way of any length between two known cells.
   Steps<Dim> lag(std::int32_t from, std::int32_t to, const Steps<Dim>& steps) const {
     Steps<Dim> lag = steps;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -67,8 +67,10 @@ class SlidingCells {
   /// Steps along the gradient direction: how many layers up.
   static int layers(const Steps<Dim>& steps) { return Dim > 1 ? steps[Dim > 1 ? 1 : 0] : 0; }
 
-  /// The shortest way from one cell to another, whole cells; ties go to the negative side.
-  Steps<Dim> steps_between(std::int32_t from, std::int32_t to) const;
+  /// The shortest way from one cell to another along an axis; ties go to the negative side.
+  ///
+  /// \param layers  how many layers up the way leads: along x the slide counts
+  int steps_between(std::int32_t from, std::int32_t to, int axis, int layers) const;
 
   /// Spheres of a cell: for (id = first(cell); id != kNone; id = next(id)).
   std::int32_t first(std::int32_t cell) const { return first_[static_cast<std::size_t>(cell)]; }

@@ -28,7 +28,7 @@ Real gap(const Vec<Dim, Real>& dr) {
 template <class Real>
 struct Contact {
   Real time;         ///< from now, in the unit of dv; <= 0 for a pair that overlaps already
-  bool overlapping;  ///< the spheres overlap now, while they approach
+  bool overlapping;  ///< the computed gap is <= 0 now, while the spheres approach
   Real approach;     ///< dr.dv < 0, diameters^2/time
 };
 
@@ -54,7 +54,7 @@ std::optional<Contact<Real>> contact(const RelativeMotion<Dim, Real>& motion) {
   const Real c = (distance - 1) * (distance + 1);
   const Real discriminant = b * b - v2 * c;
   if (discriminant < 0) return std::nullopt;
-  return Contact<Real>{c / (-b + sqrt(discriminant)), c < 0, b};
+  return Contact<Real>{c / (-b + sqrt(discriminant)), c <= 0, b};
 }
 
 /// What one collision does: sphere j gains `impulse * normal`, sphere i loses it.

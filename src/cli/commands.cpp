@@ -1,0 +1,149 @@
+#include "cli/commands.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/interrupt.hpp"
+#include "cli/progress_line.hpp"
+#include "io/build_info.hpp"
+#include "io/case_file.hpp"
+#include "io/derived.hpp"
+#include "io/info.hpp"
+#include "io/output_reader.hpp"
+#include "model/errors.hpp"
+#include "run/run.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// What the user typed.
+struct Arguments {
+  std::string file;
+  std::string output;
+  std::vector<std::string> overrides;
+  bool json = false;
+  bool quiet = false;
+  bool overwrite = false;
+  bool fail_on_collapse = false;
+};
+
+void print(const std::string& text) {
+  const bool is_written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  if (!is_written) throw OutputError("standard output: could not be written; is the disk full?");
+}
+
+bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
+
+void show(const Progress& progress) {
+  fmt::print(stderr, "\r{:<78}", progress_line(progress));
+  std::fflush(stderr);
+}
+
+RunOptions run_options(const Arguments& arguments) {
+  RunOptions options;
+  options.interrupt = &catch_signals();
+  if (!arguments.output.empty()) options.output = arguments.output;
+  if (arguments.overwrite) options.existing = OutputFile::Existing::replace;
+  if (!arguments.quiet && is_terminal()) options.on_progress = show;
+  return options;
+}
+
+int exit_code_of(const Summary& summary, const Arguments& arguments) {
+  if (summary.outcome == "interrupted") return exit_code::interrupted;
+  if (arguments.fail_on_collapse && summary.verdict == "true") return exit_code::collapsed;
+  return exit_code::done;
+}
+
+int run(const Arguments& arguments) {
+  const Case values = read_case(arguments.file, arguments.overrides);
+  if (!arguments.quiet && arguments.output.empty()) {
+    fmt::print(stderr, "{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
+               arguments.file);
+  }
+  const Summary summary = run_case(values, run_options(arguments));
+  if (!arguments.quiet && is_terminal()) fmt::print(stderr, "\r{:<78}\r", "");
+  if (arguments.json) {
+    print(to_json(summary, values.system.dimension) + '\n');
+  } else if (!arguments.quiet) {
+    print(to_text(summary, values.system.dimension));
+  }
+  return exit_code_of(summary, arguments);
+}
+
+int check(const Arguments& arguments) {
+  const Case values = read_case(arguments.file, arguments.overrides);
+  print(resolved_toml(values) + '\n' + derived_text(values));
+  return exit_code::done;
+}
+
+int info(const Arguments& arguments) {
+  const OutputInfo info = read_output_info(arguments.file);
+  print(arguments.json ? to_json(info) + '\n' : to_text(info));
+  return exit_code::done;
+}
+
+void add_overrides(CLI::App& command, Arguments& arguments) {
+  command.add_option("--set", arguments.overrides, "override a key, as in system.restitution=0.2")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_run(CLI::App& app, Arguments& arguments) {
+  CLI::App& command = *app.add_subcommand("run", "run a case and print what came out");
+  command.add_option("case", arguments.file, "case file")->required()->type_name("CASE.toml");
+  command.add_option("-o,--output", arguments.output, "keep collisions and snapshots here")
+      ->type_name("OUT.h5");
+  add_overrides(command, arguments);
+  command.add_flag("--json", arguments.json, "print the summary as one JSON object");
+  command.add_flag("--quiet", arguments.quiet, "no progress line, no summary for people");
+  command.add_flag("--overwrite", arguments.overwrite, "replace an existing output file");
+  command.add_flag("--fail-on-collapse", arguments.fail_on_collapse,
+                   "exit with 3 if the verdict is true");
+}
+
+void add_check(CLI::App& app, Arguments& arguments) {
+  CLI::App& command =
+      *app.add_subcommand("check", "validate a case; print resolved and derived values");
+  command.add_option("case", arguments.file, "case file")->required()->type_name("CASE.toml");
+  add_overrides(command, arguments);
+}
+
+void add_info(CLI::App& app, Arguments& arguments) {
+  CLI::App& command =
+      *app.add_subcommand("info", "print the summary of a finished or interrupted run");
+  command.add_option("file", arguments.file, "output file of a run")
+      ->required()
+      ->type_name("OUT.h5");
+  command.add_flag("--json", arguments.json, "print it as one JSON object");
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app(
+      "Event-driven inelastic hard spheres under shear: did it collapse, or the arithmetic?",
+      "zenosphere");
+  app.set_version_flag("--version", std::string("zenosphere ") + build_info::program_version +
+                                        " (" + build_info::git_hash + ")");
+  app.require_subcommand(1);
+  Arguments arguments;
+  add_run(app, arguments);
+  add_check(app, arguments);
+  add_info(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? exit_code::done : exit_code::wrong_input;
+  }
+  if (app.got_subcommand("run")) return run(arguments);
+  if (app.got_subcommand("check")) return check(arguments);
+  return info(arguments);
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "engine/simulation.hpp"
+#include "io/case.hpp"
+#include "io/output_file.hpp"
+
+namespace zenosphere {
+
+/// Writes what a run does into its output file, as the case asks: collisions and snapshots.
+///
+/// A row of the collision log holds the gap of the pair that collides *next*; so each row waits
+/// for the collision after it.
+template <int Dim, class Real>
+class Recorder {
+ public:
+  /// \param file  outlives the recorder
+  Recorder(const Case& values, const Simulation<Dim, Real>& simulation, OutputFile& file);
+
+  void observe(const Collision<Dim, Real>& collision);
+
+  /// Time at which the next snapshot is due; infinity if none is.
+  double next_snapshot() const { return next_snapshot_; }
+
+  /// Takes the snapshot of the moment, and sets the next one an interval later.
+  void take_snapshot(const Simulation<Dim, Real>& simulation);
+
+  /// Writes the row that waits and the last state. The last call.
+  void finish(const Simulation<Dim, Real>& simulation);
+
+ private:
+  void append(const CollisionRow& row);
+  Snapshot snapshot(const Simulation<Dim, Real>& simulation) const;
+
+  const Case::Output output_;
+  Real gap_threshold_;
+  Real clock_unit_;
+  OutputFile& file_;
+  std::optional<CollisionRow> waiting_;
+  std::int64_t snapshots_ = 0;  ///< of the regular ones
+  double next_snapshot_ = std::numeric_limits<double>::infinity();
+  double last_snapshot_time_ = -1;
+  std::int64_t last_snapshot_step_ = -1;
+};
+
+}  // namespace zenosphere
