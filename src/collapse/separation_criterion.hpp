@@ -23,14 +23,21 @@ class SeparationCriterion {
       : threshold_(threshold), clock_unit_(clock_unit) {}
 
   void observe(const Collision<Dim, Real>& collision) {
-    const double time_before = time_;
+    if (collision.number > 1) observe_next(collision.gap_before);
+    collision_ = collision.number;
     time_ = since_start(collision.time, clock_unit_);
-    if (collision.number == 1 || collision.gap_before > threshold_) return;
+  }
+
+  /// The gap, at the collision observed last, of the pair that collides next.
+  ///
+  /// To be called where a run ends and that pair is known without its collision.
+  void observe_next(const Real& gap) {
+    if (gap > threshold_) return;
     ++hits_;
-    last_collision_ = collision.number - 1;
+    last_collision_ = collision_;
     if (hits_ > 1) return;
-    first_collision_ = last_collision_;
-    first_time_ = time_before;
+    first_collision_ = collision_;
+    first_time_ = time_;
   }
 
   std::int64_t hits() const { return hits_; }
@@ -41,7 +48,8 @@ class SeparationCriterion {
  private:
   Real threshold_;
   Real clock_unit_;
-  double time_ = 0;
+  std::int64_t collision_ = 0;  ///< the one observed last
+  double time_ = 0;             ///< its time
   std::int64_t hits_ = 0;
   std::optional<std::int64_t> first_collision_;
   std::optional<double> first_time_;

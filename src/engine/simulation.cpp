@@ -49,7 +49,7 @@ template <int Dim, class Real>
 std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::next_collision(double until) {
   const Instant<Real> limit = instant(until);
   // Without collisions the caller is asked again about once per sphere and crossing.
-  for (std::int32_t patience = 2 * spheres() + 1024; patience > 0 && !stopped_; --patience) {
+  for (std::int32_t patience = 2 * spheres() + 1024; patience > 0 && !stopped_before_; --patience) {
     const std::int32_t i = calendar_.earliest();
     if (i == Calendar<Real>::kNone) {
       at_rest_ = true;
@@ -72,7 +72,8 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::next_collision(double
       ++stale_events_;
       predict(i);
     } else if (pending.overlapping && rules_.overlap == OverlapRule::stop) {
-      stopped_ = true;
+      const auto [a, b] = std::minmax(i, pending.partner);
+      stopped_before_ = {a, b, gap_at_last_collision(a, b)};
     } else {
       return collide(i);
     }
@@ -224,9 +225,7 @@ Collision<Dim, Real> Simulation<Dim, Real>::collide(std::int32_t i) {
   collision.overlapping = pending.overlapping;
   collision.i = std::min(i, j);
   collision.j = std::max(i, j);
-  const Real before = last_collision_.remainder +
-                      static_cast<Real>(last_collision_.units - now_.units) * box_.clock_unit();
-  collision.gap_before = gap(pair_motion(collision.i, collision.j, before).dr);
+  collision.gap_before = gap_at_last_collision(collision.i, collision.j);
 
   now_.remainder = pending.contact;
   collision.time = now_;
@@ -249,6 +248,13 @@ Collision<Dim, Real> Simulation<Dim, Real>::collide(std::int32_t i) {
   predict(collision.i);
   predict(collision.j);
   return collision;
+}
+
+template <int Dim, class Real>
+Real Simulation<Dim, Real>::gap_at_last_collision(std::int32_t i, std::int32_t j) const {
+  const Real when = last_collision_.remainder +
+                    static_cast<Real>(last_collision_.units - now_.units) * box_.clock_unit();
+  return gap(pair_motion(i, j, when).dr);
 }
 
 /// Moves a sphere to the adjacent cell; one that is late by rounding moves at once.

@@ -49,12 +49,19 @@ class Simulation {
   ///
   /// \param until  time since the start at which to stop instead
   /// \return nothing if there is no collision up to `until`; or if only other events came for a
-  ///         while, so that the caller can look at its limits and call again; or if is_stopped() or
-  ///         is_at_rest()
+  ///         while, so that the caller can look at its limits and call again; or if
+  ///         stopped_before() or is_at_rest()
   std::optional<Collision<Dim, Real>> next_collision(double until);
 
-  /// The rule OverlapRule::stop has ended the run before a collision.
-  bool is_stopped() const { return stopped_; }
+  /// A pair that would collide next, and its gap now, in diameters.
+  struct NextPair {
+    std::int32_t i;
+    std::int32_t j;
+    Real gap;
+  };
+
+  /// The pair before whose collision OverlapRule::stop has ended the run, if it has.
+  const std::optional<NextPair>& stopped_before() const { return stopped_before_; }
 
   /// Nothing moves any more: there will be no further event.
   bool is_at_rest() const { return at_rest_; }
@@ -116,6 +123,7 @@ class Simulation {
   void consider(Pending& pending, std::int32_t j, const RelativeMotion<Dim, Real>& motion);
 
   Collision<Dim, Real> collide(std::int32_t i);
+  Real gap_at_last_collision(std::int32_t i, std::int32_t j) const;
   void cross(std::int32_t i);
   int column_beyond(const Sphere& sphere, int layers) const;
   void rebase(const Real& next_event, const Instant<Real>& limit);
@@ -139,7 +147,7 @@ class Simulation {
   std::int64_t cell_crossings_ = 0;
   std::int64_t stale_events_ = 0;
   std::int64_t overlaps_ignored_ = 0;
-  bool stopped_ = false;
+  std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;
 };
 

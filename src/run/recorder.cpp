@@ -17,11 +17,8 @@ Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& s
 template <int Dim, class Real>
 void Recorder<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
   if (output_.collision_log == CollisionLog::none) return;
-  if (waiting_) {
-    waiting_->gap = static_cast<double>(collision.gap_before);
-    if (collision.gap_before <= gap_threshold_) waiting_->flags |= collision_flag::hit;
-    append(*waiting_);
-  }
+  observe_next(collision.gap_before);
+  if (waiting_) append(*waiting_);
   waiting_ = CollisionRow{
       .k = collision.number,
       .time = since_start(collision.time, clock_unit_),
@@ -35,6 +32,13 @@ void Recorder<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
   if (collision.absorbed) waiting_->flags |= collision_flag::absorbed;
   if (!(collision.impact.normal_speed > 0)) waiting_->flags |= collision_flag::receding;
   if (!(collision.flight > 0)) waiting_->flags |= collision_flag::clock_stood;
+}
+
+template <int Dim, class Real>
+void Recorder<Dim, Real>::observe_next(const Real& gap) {
+  if (!waiting_) return;
+  waiting_->gap = static_cast<double>(gap);
+  if (gap <= gap_threshold_) waiting_->flags |= collision_flag::hit;
 }
 
 template <int Dim, class Real>

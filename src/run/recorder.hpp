@@ -21,6 +21,9 @@ class Recorder {
 
   void observe(const Collision<Dim, Real>& collision);
 
+  /// The gap, at the collision observed last, of the pair that collides next.
+  void observe_next(const Real& gap);
+
   /// Time at which the next snapshot is due; infinity if none is.
   double next_snapshot() const { return next_snapshot_; }
 

@@ -72,6 +72,10 @@ class Run {
       }
       attend_to_the_clock();
     }
+    if (const auto& pair = simulation_.stopped_before()) {
+      separation_.observe_next(pair->gap);
+      if (recorder_) recorder_->observe_next(pair->gap);
+    }
     const Summary result = summary();
     if (recorder_) recorder_->finish(simulation_);
     if (file_) file_->finish(result);
@@ -86,7 +90,7 @@ class Run {
       ended_by_ = "signal";
     } else if (arrest_.is_met() && values_.collapse.stop_when_collapsed) {
       ended_by_ = "arrest";
-    } else if (simulation_.is_stopped()) {
+    } else if (simulation_.stopped_before()) {
       ended_by_ = "overlap";
     } else if (simulation_.is_at_rest()) {
       ended_by_ = "at rest";
