@@ -112,6 +112,7 @@ Vec<Dim, Real> Simulation<Dim, Real>::position_at(const Sphere& sphere, const Re
 template <int Dim, class Real>
 RelativeMotion<Dim, Real> Simulation<Dim, Real>::pair_motion(std::int32_t i, std::int32_t j,
                                                              const Real& when) const {
+  using std::floor;
   const Sphere& a = sphere(i);
   const Sphere& b = sphere(j);
   const Vector dr = position_at(b, when) - position_at(a, when);
@@ -122,11 +123,12 @@ RelativeMotion<Dim, Real> Simulation<Dim, Real>::pair_motion(std::int32_t i, std
   for (int axis = Dim - 1; axis >= 0; --axis) {  // layers first: they decide about the columns
     const auto index = static_cast<std::size_t>(axis);
     steps[index] = cells_.steps_between(a.cell, b.cell, axis, cells_.layers(steps));
-    // In a box of few cells the shortest way between cells may not be the one between the spheres.
+    // The way between the spheres may lead around the box: in one of few cells, or after a long
+    // flight. Ten thousand periods bound the integers; no gap so long ago has a meaning.
     const Real distance = dr[axis] + image(steps).position[axis];
-    const Real half = box_.sides()[axis] / 2;
-    if (distance >= half) steps[index] -= box_.cells()[index];
-    if (distance < -half) steps[index] += box_.cells()[index];
+    const Real periods = floor(static_cast<Real>(distance / box_.sides()[axis] + Real(0.5)));
+    steps[index] -=
+        box_.cells()[index] * static_cast<int>(std::clamp(periods, Real(-10000), Real(10000)));
   }
   const auto [position, velocity] = image(steps);
   RelativeMotion<Dim, Real> motion{dr + position, b.velocity - a.velocity};

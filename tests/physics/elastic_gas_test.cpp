@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/run_text.hpp"
+
+namespace zenosphere {
+namespace {
+
+const char* const kElasticGas = R"(
+[system]
+dimension = 3
+spheres = 4000
+restitution = 1
+solids_volume_fraction = 0.3
+[start]
+arrangement = "random"
+granular_temperature = 1
+[drive]
+kind = "none"
+[run]
+collisions = 400000
+)";
+
+// 200 collisions per sphere: seeds scatter by 0.2 % around the mean, so 1 % is 5 standard errors.
+constexpr double kTolerance = 0.01;
+
+TEST(ElasticGas, PressureAndCollisionRateAreThoseOfTheHardSphereFluid) {
+  const Summary run = test::run_text(kElasticGas);
+  ASSERT_TRUE(run.averages);
+  // Equation of state at phi = 0.3: Kolafa, Labik & Malijevsky, PCCP 6 (2004) 2335.
+  const double z = 3.984;
+  EXPECT_NEAR(run.averages->compressibility_factor, z, kTolerance * z);
+  // Enskog: 4 n g sqrt(pi T), g = (Z - 1)/(4 phi), n = 6 phi/pi; 10.1 at this state.
+  const double g = (z - 1) / (4 * 0.3);
+  const double rate = 4 * (6 * 0.3 / std::numbers::pi) * g * std::sqrt(std::numbers::pi);
+  EXPECT_NEAR(run.averages->collision_rate, rate, kTolerance * rate);
+  // Closing speeds are distributed as v exp(-v^2/4): the mean is sqrt(pi).
+  const double normal_speed = std::sqrt(std::numbers::pi);
+  EXPECT_NEAR(run.averages->normal_speed, normal_speed, kTolerance * normal_speed);
+}
+
+TEST(ElasticGas, EnergyIsConservedAndTheLedgerIsClosed) {
+  const Summary run = test::run_text(kElasticGas, {"run.collisions=100000"});
+  EXPECT_NEAR(run.averages->granular_temperature, 1, 1e-12);  // rounding of 1e5 collisions
+  EXPECT_LT(run.ledger_error, 1e-12);
+  EXPECT_EQ(run.verdict, "none");
+}
+
+TEST(ElasticGas, ImposedShearKeepsTheLedgerToo) {
+  const Summary run = test::run_text(
+      kElasticGas, {"drive.kind=shear", "drive.shear_rate=1", "system.restitution=0.9"});
+  EXPECT_LT(run.ledger_error, 1e-10);
+}
+
+}  // namespace
+}  // namespace zenosphere

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/simulation.hpp"
+
+namespace zenosphere {
+
+/// Hard spheres under Lees-Edwards shear, the slow and obvious way: what the engine must agree
+/// with.
+///
+/// Laboratory frame, unfolded positions, every pair in every image after every event, long double,
+/// its own contact time and its own collision. It shares no code with the engine, only the plain
+/// data of a configuration.
+class Oracle {
+ public:
+  struct Event {
+    double time = 0;  ///< since the oracle's start
+    int i = 0;        ///< < j
+    int j = 0;
+    double normal_speed = 0;  ///< closing speed, diameters/time
+    double gap_before = 0;    ///< of the pair at the event before, in the nearest image
+  };
+
+  /// \param offset  displacement of the upper image of the box along x at the start, diameters
+  Oracle(const Vec<3, double>& sides, double shear_rate, double restitution,
+         const Configuration<3, double>& start, double offset);
+
+  /// Goes to the next collision and does it. Throws std::runtime_error if there is none for long.
+  Event next_collision();
+
+ private:
+  using Real = long double;
+  using Triple = std::array<Real, 3>;
+  struct Seen {  ///< sphere j in one image as seen from sphere i
+    Triple dr;
+    Triple dv;
+  };
+  struct Contact {
+    Real wait;
+    std::size_t i;
+    std::size_t j;
+    Seen seen;
+  };
+
+  std::vector<Seen> images(std::size_t i, std::size_t j) const;
+  Contact earliest(Real& horizon) const;
+  Real nearest_gap(std::size_t i, std::size_t j) const;
+  void fly(Real duration);
+  void collide(const Contact& contact);
+
+  Triple sides_;
+  Real shear_rate_;
+  Real restitution_;
+  Real offset_;
+  Real time_ = 0;
+  std::vector<Triple> positions_;   ///< unfolded, laboratory frame
+  std::vector<Triple> velocities_;  ///< laboratory frame; the middle of the box is at rest
+};
+
+}  // namespace zenosphere

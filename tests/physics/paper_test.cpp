@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "io/case_file.hpp"
+#include "run/run.hpp"
+
+namespace zenosphere {
+namespace {
+
+Summary run_example(const std::string& name, const std::vector<std::string>& overrides) {
+  const auto file = std::filesystem::path(ZENOSPHERE_SOURCE_DIR) / "examples" / name;
+  return run_case(read_case(file, overrides), RunOptions{});
+}
+
+class Paper : public testing::TestWithParam<int> {
+ protected:
+  std::string seed() const { return "start.seed=" + std::to_string(GetParam()); }
+};
+
+// Figures 1 to 3: met before ten collisions per sphere, left again, then time per collision is
+// constant: 5.06 collisions per sphere and strain (within 2 % for the window from strain 20 on).
+TEST_P(Paper, SeparationCriterionRaisesAFalseAlarmAtRestitution06) {
+  const Summary run =
+      run_example("shear-e06.toml", {seed(), "run.collisions=700000", "measure.after_time=20"});
+  EXPECT_EQ(run.verdict, "temporary");
+  EXPECT_LT(*run.separation.first_collision, 10 * 4000 / 2);
+  EXPECT_LT(*run.separation.last_collision, 600000);
+  EXPECT_FALSE(run.arrest.met);
+  EXPECT_NEAR(run.averages->collision_rate, 5.06, 0.02 * 5.06);
+}
+
+// Figures 4 to 6: the gap falls to the limit, time stops, a few pairs repeat.
+TEST_P(Paper, ArrestCriterionIsMetAtRestitution02) {
+  const Summary run = run_example("shear-e02.toml", {seed()});
+  EXPECT_EQ(run.verdict, "true");
+  EXPECT_EQ(run.outcome, "collapsed");
+  EXPECT_LT(*run.arrest.collision, 2000000);
+  EXPECT_GE(run.arrest.pairs.size(), 1U);
+  EXPECT_LE(run.arrest.pairs.size(), 20U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Paper, testing::Values(1, 2, 3));
+
+}  // namespace
+}  // namespace zenosphere

@@ -1,0 +1,33 @@
+#include "model/clock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace zenosphere {
+namespace {
+
+TEST(Clock, ElapsedCountsUnitsAndRemainders) {
+  // From 3 units + 0.25 to 5 units + 0.125, a unit being 0.5: 2 x 0.5 - 0.125 = 0.875.
+  EXPECT_EQ(elapsed<double>({3, 0.25}, {5, 0.125}, 0.5), 0.875);
+  EXPECT_EQ(elapsed<double>({5, 0.125}, {3, 0.25}, 0.5), -0.875);
+}
+
+TEST(Clock, StandsStillOnlyIfNoBitMoved) {
+  const Instant<double> instant{7, 0.5};
+  EXPECT_EQ(elapsed(instant, instant, 1.0), 0);
+  EXPECT_EQ(elapsed<double>({7, 0.5}, {7, 0.5 + 0x1p-53}, 1.0), 0x1p-53);
+}
+
+TEST(Clock, ResolutionDoesNotDecayWithTheLengthOfTheRun) {
+  // As one number near 1e12 the clock could not resolve less than 1.2e-4.
+  const Instant<double> earlier{1000000000000, 0.5};
+  const Instant<double> later{1000000000000, 0.5 + 1e-15};
+  EXPECT_NEAR(elapsed(earlier, later, 1.0), 1e-15, 0x1p-53);
+}
+
+TEST(Clock, SinceStartIsOneNumber) {
+  EXPECT_EQ(since_start<double>({4, 0.25}, 0.5), 2.25);
+  EXPECT_EQ(since_start<double>({}, 0.5), 0);
+}
+
+}  // namespace
+}  // namespace zenosphere
