@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +27,7 @@ namespace {
 /// What the user typed.
 struct Arguments {
   std::string file;
-  std::string output;
+  std::optional<std::string> output;
   std::vector<std::string> overrides;
   bool json = false;
   bool quiet = false;
@@ -47,7 +50,7 @@ void show(const Progress& progress) {
 RunOptions run_options(const Arguments& arguments) {
   RunOptions options;
   options.interrupt = &catch_signals();
-  if (!arguments.output.empty()) options.output = arguments.output;
+  options.output = arguments.output;
   if (arguments.overwrite) options.existing = OutputFile::Existing::replace;
   if (!arguments.quiet && is_terminal()) options.on_progress = show;
   return options;
@@ -59,9 +62,22 @@ int exit_code_of(const Summary& summary, const Arguments& arguments) {
   return exit_code::done;
 }
 
+/// Throws where the output cannot be meant as it was typed.
+void check_output(const Arguments& arguments) {
+  if (!arguments.output) return;
+  if (arguments.output->empty()) {
+    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
+  }
+  std::error_code ignored;  // what does not exist is not the case file
+  if (std::filesystem::equivalent(*arguments.output, arguments.file, ignored)) {
+    throw OutputError(*arguments.output + ": is the case file itself; choose another name");
+  }
+}
+
 int run(const Arguments& arguments) {
+  check_output(arguments);
   const Case values = read_case(arguments.file, arguments.overrides);
-  if (!arguments.quiet && arguments.output.empty()) {
+  if (!arguments.quiet && !arguments.output) {
     fmt::print(stderr, "{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
                arguments.file);
   }
@@ -75,9 +91,20 @@ int run(const Arguments& arguments) {
   return exit_code_of(summary, arguments);
 }
 
+/// Every line behind a `#`, so that what `check` prints is a case file again.
+std::string as_comments(const std::string& text) {
+  std::string comments;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1);
+    comments += "# " + text.substr(begin, end + 1 - begin);
+    begin = end + 1;
+  }
+  return comments;
+}
+
 int check(const Arguments& arguments) {
   const Case values = read_case(arguments.file, arguments.overrides);
-  print(resolved_toml(values) + '\n' + derived_text(values));
+  print(resolved_toml(values) + '\n' + as_comments(derived_text(values)));
   return exit_code::done;
 }
 
@@ -138,8 +165,14 @@ int run_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? exit_code::done : exit_code::wrong_input;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help or version was asked for
+    const bool is_command_missing = app.get_subcommands().empty();
+    if (is_command_missing && argc > 1 && argv[1][0] != '-') {
+      throw InputError(
+          fmt::format("zenosphere: unknown command {}; run zenosphere --help", argv[1]));
+    }
+    app.exit(error);
+    return exit_code::wrong_input;
   }
   if (app.got_subcommand("run")) return run(arguments);
   if (app.got_subcommand("check")) return check(arguments);

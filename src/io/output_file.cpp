@@ -206,6 +206,10 @@ struct OutputFile::Contents {
   CollisionLog log;
 };
 
+void OutputFile::check_target(const fs::path& path, Existing existing) {
+  permitted_target(path, existing);
+}
+
 OutputFile::OutputFile(const fs::path& path, const Header& header, Existing existing)
     : path_(path), dimension_(header.dimension), spheres_(header.spheres) {
   const fs::path target = permitted_target(path, existing);

@@ -56,6 +56,10 @@ class OutputFile {
   };
   enum class Existing { refuse, replace };
 
+  /// Throws the OutputError that the constructor would, where it can be known without creating the
+  /// file: before hours are spent on what cannot be kept.
+  static void check_target(const std::filesystem::path& path, Existing existing);
+
   /// Creates the file. Where that fails, nothing new is left behind and an old file is untouched.
   ///
   /// \param existing  `replace` puts the new file in the place of an old one in one step, at the

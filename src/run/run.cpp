@@ -55,6 +55,7 @@ class Run {
         OutputFile::Header{values.text, resolved_toml(values), Dim, values.system.spheres},
         options.existing);
     recorder_.emplace(values, simulation_, *file_);
+    file_->flush();  // whatever happens now, the start is kept
   }
 
   Summary go() {
@@ -200,6 +201,7 @@ class Run {
 }  // namespace
 
 Summary run_case(const Case& values, const RunOptions& options) {
+  if (options.output) OutputFile::check_target(*options.output, options.existing);
   return Run<3, double>(values, options).go();
 }
 

@@ -1,0 +1,102 @@
+"""The commands themselves: help, version, usage errors, and what `check` and `info` print."""
+
+import json
+import re
+import tomllib
+
+import pytest
+
+
+def commands_in(help_text):
+    """The first word of each line below `Subcommands:`."""
+    return re.findall(r"^  (\w+)", help_text.split("Subcommands:")[1], re.MULTILINE)
+
+
+def test_help_lists_the_commands_that_exist_and_no_other(program):
+    done = program("--help")
+    assert set(commands_in(done.stdout)) == {"run", "check", "info"}
+    assert done.stderr == ""
+
+
+@pytest.mark.parametrize("command", ["run", "check", "info"])
+def test_every_command_has_help(program, command):
+    assert f"zenosphere {command}" in program(command, "--help").stdout
+
+
+def test_help_of_run_names_every_option_of_the_interface(program):
+    text = program("run", "--help").stdout
+    options = ["-o", "--set", "--json", "--quiet", "--overwrite", "--fail-on-collapse"]
+    assert all(option in text for option in options)
+
+
+def test_version_is_a_line_with_three_numbers(program):
+    assert re.fullmatch(r"zenosphere \d+\.\d+\.\d+ .*\n", program("--version").stdout)
+
+
+@pytest.mark.parametrize("words", [
+    [], ["simulate"], ["run"], ["check"], ["info"], ["run", "case.toml", "--nonsense"],
+    ["run", "case.toml", "other.toml"], ["run", "case.toml", "-o"], ["run", "case.toml", "--set"],
+    ["resume", "out.h5"], ["--nonsense"],
+])
+def test_wrong_command_line_is_exit_code_2_and_points_at_the_help(program, words):
+    lines = program.fail(*words)
+    assert any("--help" in line or "Usage" in line for line in lines)
+
+
+@pytest.mark.parametrize("words", [["simulate"], ["run", "case.toml", "--nonsense"]])
+def test_word_that_is_not_understood_is_repeated(program, words):
+    assert words[-1] in "".join(program.fail(*words))
+
+
+def resolved_part(text):
+    """The TOML in what `check` prints: its paragraphs that begin with a table."""
+    return "\n\n".join(part for part in text.split("\n\n") if part.startswith("["))
+
+
+def test_check_prints_a_case_that_gives_the_same_when_fed_back(program):
+    first = program("check", "case.toml").stdout
+    again = program.folder / "again.toml"
+    again.write_text(resolved_part(first))
+    assert program("check", "again.toml").stdout == first
+
+
+def test_checked_case_runs_the_same_collisions(program):
+    (program.folder / "again.toml").write_text(resolved_part(program("check", "case.toml").stdout))
+    time = json.loads(program("run", "again.toml", "--json").stdout)["time"]
+    assert time == program.run()["time"]
+
+
+def test_check_tells_every_value_used(program):
+    text = program("check", "case.toml", "--set", "system.restitution=0.5").stdout
+    values = tomllib.loads(resolved_part(text))
+    assert values["system"] == {"dimension": 3, "spheres": 108, "restitution": 0.5,
+                                "solids_volume_fraction": 0.3}
+    assert values["collision"]["overlap"] == "rewind"
+    assert values["collision"]["precision"] == "double"
+    assert values["collapse"] == {"gap_threshold": 1e-16, "window": 1000,
+                                  "stop_when_collapsed": True}
+    assert values["run"] == {"collisions": 2000}
+
+
+def test_check_tells_what_follows_from_the_case(program):
+    text = program("check", "case.toml").stdout
+    # (pi 108 / (6 x 0.3))^(1/3) = 5.7336835; 2 x 2000 / 108 = 37.037037; 1 / 2 = 0.5
+    assert re.search(r"box side\s+5\.733683", text)
+    assert re.search(r"collisions per sphere\s+37\.037", text)
+    assert re.search(r"strain unit\s+0\.5 ", text)
+
+
+def test_check_runs_nothing(program):
+    program("check", "case.toml", "--set", "run.collisions=1000000000000")
+    assert [path.name for path in program.folder.iterdir()] == ["case.toml"]
+
+
+def test_info_gives_the_object_that_the_run_printed(program):
+    summary, _ = program.keep()
+    told = json.loads(program("info", "out.h5", "--json").stdout.splitlines()[-1])
+    assert {key: told[key] for key in summary} == summary
+
+
+def test_info_without_json_tells_the_verdict_in_a_sentence(program):
+    program.keep()
+    assert program("info", "out.h5").stdout.startswith("No collapse: ")

@@ -1,0 +1,124 @@
+"""Every example works: the cases of examples/, and the commands and cases in the documents."""
+
+import json
+import re
+import shlex
+import shutil
+import subprocess
+import tomllib
+from pathlib import Path
+
+import pytest
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+EXAMPLES = sorted((CHECKOUT / "examples").glob("*.toml"))
+DOCUMENTS = sorted([*CHECKOUT.glob("*.md"), *(CHECKOUT / "docs").rglob("*.md")])
+SHORT = ["--set", "run.collisions=2000"]
+FENCE = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+PLACEHOLDERS = re.compile(r"CASE\.toml|OUT\.h5|KEY=VALUE|\[|\.\.\.")
+
+
+def blocks(document, *languages):
+    return [body for language, body in FENCE.findall(document.read_text())
+            if language in languages]
+
+
+def commands_of(document):
+    """The words of each command of this program in the shell examples of a document."""
+    lines = [line.strip().removeprefix("$ ") for block in blocks(document, "sh", "bash", "console")
+             for line in block.replace("\\\n", " ").splitlines()]
+    ours = [line for line in lines if re.match(r"(\./)?(build/)?zenosphere ", line)]
+    return [shlex.split(line, comments=True)[1:] for line in ours
+            if not PLACEHOLDERS.search(line)]
+
+
+def name_of(path):
+    return path.relative_to(CHECKOUT).as_posix()
+
+
+WITH_COMMANDS = [document for document in DOCUMENTS if commands_of(document)]
+CASES = [(document, number) for document in DOCUMENTS
+         for number in range(len(blocks(document, "toml")))]
+
+
+def settings_in(text):
+    """A TOML text as overrides; its values are scalars, which JSON writes as TOML does."""
+    tables = tomllib.loads(text)
+    return {f"{table}.{key}": json.dumps(value) for table, values in tables.items()
+            for key, value in values.items()}
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=name_of)
+def test_example_is_a_right_case(program, example):
+    text = program("check", str(example)).stdout
+    assert "[system]" in text and "box side" in text
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=name_of)
+def test_example_runs(program, example):
+    done = program("run", str(example), "--json", "-o", "out.h5", *SHORT)
+    summary = json.loads(done.stdout)
+    assert summary["collisions"] == 2000 and summary["ledger_error"] < 1e-10
+    assert program("info", "out.h5").stdout
+
+
+def test_there_are_the_two_cases_of_the_paper():
+    restitution = {tomllib.loads(each.read_text())["system"]["restitution"] for each in EXAMPLES}
+    assert {0.2, 0.6} <= restitution
+
+
+def follow(program, document):
+    """Runs the commands of a document one after another in a folder with the examples."""
+    shutil.copytree(CHECKOUT / "examples", program.folder / "examples")
+    for words in commands_of(document):
+        program(*words, *(SHORT if words[0] in ("run", "check") else []))
+
+
+@pytest.mark.parametrize("document", WITH_COMMANDS, ids=name_of)
+def test_commands_of_a_document_run(program, document):
+    follow(program, document)
+
+
+@pytest.mark.parametrize("document, number", CASES,
+                         ids=[f"{name_of(document)}:{number}" for document, number in CASES])
+def test_toml_of_a_document_is_right(program, document, number):
+    text = blocks(document, "toml")[number]
+    if {"system", "start", "drive", "run"} <= set(tomllib.loads(text)):
+        program.case.write_text(text)
+        program("run", "case.toml", "--quiet", *SHORT)
+    else:
+        program.run({**settings_in(text), "run.collisions": 2000})
+
+
+def linked_files(document):
+    """The files that a document links to, but none on the web."""
+    for target in re.findall(r"\]\(([^)#\s]+)", document.read_text()):
+        if "://" not in target:
+            yield document.parent / target
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=name_of)
+def test_links_of_a_document_lead_somewhere(document):
+    assert [str(path) for path in linked_files(document) if not path.exists()] == []
+
+
+def test_every_key_that_check_prints_is_on_the_page_of_the_case_file(program):
+    page = (CHECKOUT / "docs" / "case-file.md").read_text()
+    keys = re.findall(r"^(\w+) = ", program("check", str(EXAMPLES[0])).stdout, re.MULTILINE)
+    assert len(keys) > 15
+    assert [key for key in keys if f"| `{key}` |" not in page] == []
+
+
+def test_every_key_of_the_summary_is_on_its_page(program):
+    page = (CHECKOUT / "docs" / "summary.md").read_text()
+    names = [name for key, value in program.run().items()
+             for name in ([f"{key}.{inner}" for inner in value] if isinstance(value, dict)
+                          and key != "averages" else [key])]
+    missing = [name for name in names
+               if f"`{name}`" not in page and f"`.{name.split('.')[-1]}`" not in page]
+    assert missing == []
+
+
+def test_no_room_includes_what_it_may_not():
+    done = subprocess.run([CHECKOUT / "scripts" / "check-includes"], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

@@ -1,0 +1,162 @@
+"""A run that is interrupted: what it prints, and what is left on the disk."""
+
+import json
+import os
+import pty
+import signal
+import subprocess
+
+import h5py
+import numpy as np
+import pytest
+
+LOGGED = {"output.collision_log": "all", "output.snapshot_interval": 1}
+
+
+def ended(process, *signals):
+    """Standard output and error of a process that these signals end."""
+    for each in signals:
+        process.send_signal(each)
+    try:
+        return process.communicate(timeout=20)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.communicate()
+        raise
+
+
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_interrupted_run_prints_its_summary_and_exits_with_130(program, sent):
+    process = program.start((), "--json")
+    output, errors = ended(process, sent)
+    summary = json.loads(output)
+    assert process.returncode == 130 and errors == ""
+    assert (summary["outcome"], summary["ended_by"]) == ("interrupted", "signal")
+    assert summary["collisions"] > 0 and summary["verdict"] == "none"
+
+
+def test_interrupted_run_tells_people_so(program):
+    process = program.start()
+    output, _ = ended(process, signal.SIGINT)
+    assert process.returncode == 130
+    assert output.startswith("No collapse: ") and "interrupted" in output
+
+
+def test_interrupted_run_leaves_a_complete_file(program):
+    output, _ = ended(program.start(LOGGED, "--json"), signal.SIGTERM)
+    summary = json.loads(output)
+    with h5py.File(program.folder / "out.h5") as file:
+        assert file["zenosphere"].attrs["complete"] == 1
+        assert file["collisions"].attrs["complete"] == 1
+        assert json.loads(file["zenosphere/summary"][()]) == summary
+        assert np.array_equal(file["collisions/k"], np.arange(1, summary["collisions"] + 1))
+        position = file["particles/spheres/position"]
+        assert position["step"][-1] == summary["collisions"]
+        assert position["time"][-1] == summary["time"]
+
+
+def test_info_reads_the_file_of_an_interrupted_run(program):
+    output, _ = ended(program.start((), "--json"), signal.SIGINT)
+    told = json.loads(program("info", "out.h5", "--json").stdout.splitlines()[-1])
+    assert {key: told[key] for key in json.loads(output)} == json.loads(output)
+    assert "interrupted" in program("info", "out.h5").stdout
+
+
+def test_interrupted_run_is_the_beginning_of_the_whole_run(program):
+    done = json.loads(ended(program.start(LOGGED, "--json"), signal.SIGINT)[0])
+    count = min(done["collisions"], 20000)
+    program.keep({"run.collisions": count}, "whole.h5")
+    with h5py.File(program.folder / "out.h5") as part, \
+            h5py.File(program.folder / "whole.h5") as whole:
+        for name in ("i", "j", "time"):
+            same = part["collisions"][name][:count] == whole["collisions"][name][:count]
+            assert np.all(same), name
+
+
+def test_interrupted_run_without_output_file_prints_its_summary(program):
+    words = program.words({"run.collisions": 10**12})
+    process = subprocess.Popen(program.command("run", "case.toml", "--json", *words),
+                               cwd=program.folder, stdout=subprocess.PIPE, text=True,
+                               stderr=subprocess.PIPE)
+    process.stderr.readline()  # the remark that nothing is kept: the case is read
+    program.pause(0.2)
+    assert json.loads(ended(process, signal.SIGINT)[0])["outcome"] == "interrupted"
+    assert process.returncode == 130
+
+
+@pytest.mark.parametrize("second", [signal.SIGINT, signal.SIGTERM])
+def test_second_signal_does_not_hang(program, second):
+    process = program.start(LOGGED)
+    ended(process, signal.SIGINT, second)
+    assert process.returncode in (130, -second)
+    with h5py.File(program.folder / "out.h5") as file:
+        assert file["zenosphere"].attrs["complete"] in (0, 1)
+
+
+def test_killed_run_leaves_a_file_that_can_be_read(program):
+    ended(program.start(LOGGED), signal.SIGKILL)
+    with h5py.File(program.folder / "out.h5") as file:
+        assert file["zenosphere"].attrs["complete"] == 0
+        assert "summary" not in file["zenosphere"]
+    assert program("info", "out.h5").stdout
+
+
+def test_running_output_can_be_read(program):
+    process = program.start(LOGGED)
+    try:
+        with h5py.File(program.folder / "out.h5") as file:
+            assert file["zenosphere"].attrs["complete"] == 0
+        assert program("info", "out.h5").stdout
+        assert process.poll() is None
+    finally:
+        ended(process, signal.SIGINT)
+
+
+def ignore_hangup():
+    signal.signal(signal.SIGHUP, signal.SIG_IGN)
+
+
+def test_run_under_nohup_survives_the_end_of_the_terminal(program):
+    process = program.start(preexec_fn=ignore_hangup)
+    process.send_signal(signal.SIGHUP)
+    program.pause(0.2)
+    assert process.poll() is None
+    ended(process, signal.SIGINT)
+    assert process.returncode == 130
+
+
+def read_all(descriptor):
+    """What is in a pseudo-terminal until nobody holds its other end."""
+    parts = []
+    try:
+        while part := os.read(descriptor, 65536):
+            parts.append(part)
+    except OSError:  # Linux: the last writer has closed
+        pass
+    return b"".join(parts).decode()
+
+
+def test_terminal_shows_one_progress_line(program):
+    ours, theirs = pty.openpty()
+    process = program.start({"run.time": 1e6}, "--json", stderr=theirs)
+    os.close(theirs)
+    program.pause(0.5)
+    output, _ = ended(process, signal.SIGINT)
+    shown = read_all(ours)
+    os.close(ours)
+    assert json.loads(output)["outcome"] == "interrupted"
+    assert "\n" not in shown  # each line is written over the one before
+    lines = [line for line in shown.split("\r") if line.strip()]
+    assert len(lines) >= 2
+    assert all(word in lines[0] for word in ("collisions", "time", "/s", "hits"))
+    assert "left" in lines[-1]
+
+
+def test_quiet_run_shows_nothing_on_a_terminal(program):
+    ours, theirs = pty.openpty()
+    process = program.start((), "--quiet", stderr=theirs)
+    os.close(theirs)
+    program.pause(0.3)
+    output, _ = ended(process, signal.SIGINT)
+    assert (output, read_all(ours)) == ("", "")
+    os.close(ours)
