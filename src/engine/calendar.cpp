@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "model/instantiate.hpp"
+
 namespace zenosphere {
 
 namespace {
@@ -187,6 +189,8 @@ void Calendar<Real>::heap_settle(std::int32_t position, std::int32_t id) {
   put(position, id);
 }
 
-template class Calendar<double>;
+#define ZENOSPHERE_INSTANTIATE(Real) template class Calendar<Real>;
+ZENOSPHERE_FOR_EACH_REAL(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
 
 }  // namespace zenosphere

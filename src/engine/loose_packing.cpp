@@ -5,22 +5,26 @@
 #include <stdexcept>
 
 #include "engine/sliding_cells.hpp"
+#include "model/instantiate.hpp"
 
 namespace zenosphere {
 
 namespace {
 
-/// Points in a periodic cube that are pushed apart until they keep a distance.
+/// Points in a box that are pushed apart until they keep a distance.
 template <int Dim>
 class Pushing {
  public:
-  Pushing(std::int32_t spheres, double side, Random& random)
-      : box_(cube(side), 0, least_width(spheres, side)),
-        cells_(box_.cells(), false, spheres),
+  Pushing(std::int32_t spheres, const ShearBox<Dim, double>& box, Random& random)
+      : box_(box.sides(), 0, least_width(spheres, box.sides()), box.closed_axis()),
+        cells_(box_.cells(), false, spheres, box.closed_axis()),
         positions_(static_cast<std::size_t>(spheres)),
         home_(static_cast<std::size_t>(spheres)) {
     for (std::int32_t i = 0; i < spheres; ++i) {
-      for (int axis = 0; axis < Dim; ++axis) position(i)[axis] = side * random.uniform();
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double margin = box_.is_closed(axis) ? 0.5 : 0;
+        position(i)[axis] = margin + (box_.sides()[axis] - 2 * margin) * random.uniform();
+      }
       home_[static_cast<std::size_t>(i)] = cell_of(position(i));
       cells_.insert(i, home_[static_cast<std::size_t>(i)]);
     }
@@ -31,13 +35,13 @@ class Pushing {
   bool sweep(double distance) {
     bool overlap = false;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(positions_.size()); ++i) {
-      for (const auto& steps : cells_.neighbourhood()) {
-        const auto cell = cells_.neighbour(home_[static_cast<std::size_t>(i)], steps).cell;
-        for (std::int32_t j = cells_.first(cell); j >= 0;) {
-          const std::int32_t following = cells_.next(j);  // a push may move j to another cell
-          if (j > i && push(i, j, distance)) overlap = true;
-          j = following;
-        }
+      for (const auto& row : cells_.neighbourhood()) {
+        cells_.for_each_run(home_[static_cast<std::size_t>(i)], row,
+                            [&](std::int32_t first, std::int32_t last, const Steps<Dim>&) {
+                              for (std::int32_t cell = first; cell <= last; ++cell) {
+                                overlap |= push_from(i, cell, distance);
+                              }
+                            });
       }
     }
     return overlap;
@@ -46,13 +50,23 @@ class Pushing {
   const std::vector<Vec<Dim, double>>& positions() const { return positions_; }
 
  private:
-  static Vec<Dim, double> cube(double side) {
-    Vec<Dim, double> sides;
-    for (int axis = 0; axis < Dim; ++axis) sides[axis] = side;
-    return sides;
+  /// Pushes sphere i and those of a cell that come after it apart.
+  bool push_from(std::int32_t i, std::int32_t cell, double distance) {
+    bool overlap = false;
+    for (std::int32_t j = cells_.first(cell); j >= 0;) {
+      const std::int32_t following = cells_.next(j);  // a push may move j to another cell
+      if (j > i && push(i, j, distance)) overlap = true;
+      j = following;
+    }
+    return overlap;
   }
-  static double least_width(std::int32_t spheres, double side) {
-    return std::max(1.01, side / std::max(2.0, std::floor(std::cbrt(2.0 * spheres))));
+
+  /// A little more than a push reaches; in a dilute box about two cells for each sphere.
+  static double least_width(std::int32_t spheres, const Vec<Dim, double>& sides) {
+    double volume = 1;
+    for (int axis = 0; axis < Dim; ++axis) volume *= sides[axis];
+    const double cells_a_side = std::floor(std::pow(2.0 * spheres, 1.0 / Dim) + 1e-9);
+    return std::max(1.01, std::pow(volume, 1.0 / Dim) / std::max(2.0, cells_a_side));
   }
 
   Vec<Dim, double>& position(std::int32_t i) { return positions_[static_cast<std::size_t>(i)]; }
@@ -62,7 +76,7 @@ class Pushing {
     for (int axis = 0; axis < Dim; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       coordinates[a] = std::clamp(static_cast<int>(place[axis] / box_.cell_width()[axis]), 0,
-                                  box_.cells()[a] - 1);
+                                  box_.cells()[a] - (box_.is_closed(axis) ? 2 : 1));
     }
     return cells_.index(coordinates);
   }
@@ -70,7 +84,8 @@ class Pushing {
   bool push(std::int32_t i, std::int32_t j, double distance) {
     Vec<Dim, double> dr = position(j) - position(i);
     for (int axis = 0; axis < Dim; ++axis) {
-      dr[axis] -= box_.sides()[axis] * std::round(dr[axis] / box_.sides()[axis]);
+      if (!box_.is_closed(axis))
+        dr[axis] -= box_.sides()[axis] * std::round(dr[axis] / box_.sides()[axis]);
     }
     const double r2 = dot(dr, dr);
     if (r2 >= distance * distance) return false;
@@ -85,9 +100,14 @@ class Pushing {
   void move(std::int32_t i, const Vec<Dim, double>& step) {
     position(i) += step;
     for (int axis = 0; axis < Dim; ++axis) {
+      double& place = position(i)[axis];
       const double side = box_.sides()[axis];
-      position(i)[axis] -= side * std::floor(position(i)[axis] / side);
-      if (!(position(i)[axis] < side)) position(i)[axis] = 0;
+      if (box_.is_closed(axis)) {
+        place = std::clamp(place, 0.5, side - 0.5);
+      } else {
+        place -= side * std::floor(place / side);
+        if (!(place < side)) place = 0;
+      }
     }
     std::int32_t& home = home_[static_cast<std::size_t>(i)];
     const std::int32_t cell = cell_of(position(i));
@@ -103,19 +123,43 @@ class Pushing {
   std::vector<std::int32_t> home_;
 };
 
+/// Equilibrium places of rods on a ring or, between walls, on a line.
+std::vector<Vec<1, double>> rods(std::int32_t spheres, const ShearBox<1, double>& box,
+                                 Random& random) {
+  const double room = box.sides()[0] - spheres;
+  if (room <= 0) throw std::invalid_argument("too dense for random places");
+  std::vector<double> points(static_cast<std::size_t>(spheres));
+  for (double& point : points) point = room * random.uniform();
+  std::sort(points.begin(), points.end());
+  std::vector<Vec<1, double>> places;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    places.push_back({points[i] + static_cast<double>(i) + 0.5});
+  }
+  return places;
+}
+
 }  // namespace
 
 template <int Dim>
-std::vector<Vec<Dim, double>> loose_packing(std::int32_t spheres, double side, Random& random) {
-  constexpr double kDistance = 1.001;  // a little more than needed, so that the sweeps end
-  constexpr int kSweeps = 20000;
-  Pushing<Dim> pushing(spheres, side, random);
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    if (!pushing.sweep(kDistance)) return pushing.positions();
+std::vector<Vec<Dim, double>> loose_packing(std::int32_t spheres, const ShearBox<Dim, double>& box,
+                                            Random& random) {
+  if constexpr (Dim == 1) {
+    return rods(spheres, box, random);
+  } else {
+    constexpr double kDistance = 1.001;  // a little more than needed, so that the sweeps end
+    constexpr int kSweeps = 20000;
+    Pushing<Dim> pushing(spheres, box, random);
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      if (!pushing.sweep(kDistance)) return pushing.positions();
+    }
+    throw std::invalid_argument("too dense for random places");
   }
-  throw std::invalid_argument("too dense for random places");
 }
 
-template std::vector<Vec<3, double>> loose_packing<3>(std::int32_t, double, Random&);
+#define ZENOSPHERE_INSTANTIATE(Dim)                          \
+  template std::vector<Vec<Dim, double>> loose_packing<Dim>( \
+      std::int32_t, const ShearBox<Dim, double>&, Random&);
+ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
 
 }  // namespace zenosphere

@@ -25,12 +25,13 @@ Columns columns(int layer_step, bool sliding) {
   return layer_step > 0 ? Columns{-2, 1} : Columns{-1, 2};
 }
 
-/// All combinations of -1, 0, 1 along the axes from `axis` on, x last.
+/// All combinations of -1, 0, 1 along the axes from `axis` on.
 template <int Dim>
-void add_rows(int axis, Steps<Dim> steps, bool sliding, std::vector<Steps<Dim>>& stencil) {
+void add_rows(int axis, Steps<Dim> steps, bool sliding,
+              typename SlidingCells<Dim>::Stencil& stencil) {
   if (axis == Dim) {
     const Columns reach = columns(SlidingCells<Dim>::layers(steps), sliding);
-    for (steps[0] = reach.from; steps[0] <= reach.to; ++steps[0]) stencil.push_back(steps);
+    stencil.push_back({steps, reach.from, reach.to});
     return;
   }
   for (const int step : {-1, 0, 1}) {
@@ -39,25 +40,22 @@ void add_rows(int axis, Steps<Dim> steps, bool sliding, std::vector<Steps<Dim>>&
   }
 }
 
-/// Whether `steps` lies at the rim that a sphere sees for the first time after a crossing.
+/// Whether a row lies at the rim that a sphere sees for the first time after a crossing of a face
+/// that is not normal to x.
 ///
 /// Along the gradient the far row is new, and of the row just left, which was three wide, the
 /// fourth cell: testing that row again is harmless.
-template <int Dim>
-bool is_new(const Steps<Dim>& steps, int axis, int direction, bool sliding) {
-  const int step = steps[static_cast<std::size_t>(axis)];
-  if (axis == 0) {
-    const Columns reach = columns(SlidingCells<Dim>::layers(steps), sliding);
-    return step == (direction > 0 ? reach.to : reach.from);
-  }
+bool is_new(int step, int axis, int direction, bool sliding) {
   return step == direction || (sliding && axis == 1 && step == -direction);
 }
 
 }  // namespace
 
 template <int Dim>
-SlidingCells<Dim>::SlidingCells(const Steps<Dim>& cells, bool sliding, std::int32_t spheres)
+SlidingCells<Dim>::SlidingCells(const Steps<Dim>& cells, bool sliding, std::int32_t spheres,
+                                std::optional<int> closed_axis)
     : cells_(cells),
+      closed_axis_(closed_axis),
       next_(static_cast<std::size_t>(spheres), kNone),
       prev_(static_cast<std::size_t>(spheres), kNone) {
   std::int32_t count = 1;
@@ -80,17 +78,17 @@ SlidingCells<Dim>::SlidingCells(const Steps<Dim>& cells, bool sliding, std::int3
 template <int Dim>
 void SlidingCells<Dim>::build_stencils(bool sliding) {
   add_rows<Dim>(1, Steps<Dim>{}, sliding, neighbourhood_);
-  for (int axis = 0; axis < Dim; ++axis) {
-    for (const int direction : {-1, 1}) {
-      auto& stencil = after_crossing_[static_cast<std::size_t>(2 * axis + (direction > 0 ? 1 : 0))];
-      for (const auto& steps : neighbourhood_) {
-        if (is_new<Dim>(steps, axis, direction, sliding)) stencil.push_back(steps);
+  for (const Row& row : neighbourhood_) {
+    after_crossing_[0].push_back({row.steps, row.from, row.from});
+    after_crossing_[1].push_back({row.steps, row.to, row.to});
+    for (std::size_t axis = 1; axis < Dim; ++axis) {
+      for (const int direction : {-1, 1}) {
+        if (!is_new(row.steps[axis], static_cast<int>(axis), direction, sliding)) continue;
+        after_crossing_[2 * axis + (direction > 0 ? 1 : 0)].push_back(row);
       }
     }
-  }
-  for (const auto& steps : neighbourhood_) {
-    const int up = layers(steps);
-    if (sliding && up != 0 && steps[0] == -2 * up) after_slide_.push_back(steps);
+    const int up = layers(row.steps);
+    if (sliding && up != 0) after_slide_.push_back({row.steps, -2 * up, -2 * up});
   }
 }
 
@@ -99,6 +97,7 @@ int SlidingCells<Dim>::steps_between(std::int32_t from, std::int32_t to, int axi
                                      int layers) const {
   const auto a = static_cast<std::size_t>(axis);
   int difference = coordinates(to)[a] - coordinates(from)[a];
+  if (closed_axis_ == axis) return difference;
   if (axis == 0) difference += layers * whole_slide_;
   const int half = cells_[a] / 2;
   return modulo(difference + half, cells_[a]) - half;
@@ -127,6 +126,8 @@ void SlidingCells<Dim>::slide_by_one_cell() {
   whole_slide_ = (whole_slide_ + 1) % cells_[0];
 }
 
-template class SlidingCells<3>;
+#define ZENOSPHERE_INSTANTIATE(Dim) template class SlidingCells<Dim>;
+ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
 
 }  // namespace zenosphere

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/shear_box.hpp"
@@ -17,11 +19,20 @@ template <int Dim>
 class SlidingCells {
  public:
   static constexpr std::int32_t kNone = -1;
-  using Stencil = std::vector<Steps<Dim>>;
+
+  /// Cells side by side along x in one row of a neighbourhood.
+  struct Row {
+    Steps<Dim> steps;  ///< to the row; zero along x
+    int from;          ///< first column, relative to where the row has slid
+    int to;            ///< last column
+  };
+  using Stencil = std::vector<Row>;
 
   /// \param cells    number of cells along each axis, >= 2
   /// \param sliding  whether layers slide against each other, which widens the neighbourhood
-  SlidingCells(const Steps<Dim>& cells, bool sliding, std::int32_t spheres);
+  /// \param closed_axis  the axis along which the last layer stays empty and no way leads around
+  SlidingCells(const Steps<Dim>& cells, bool sliding, std::int32_t spheres,
+               std::optional<int> closed_axis = std::nullopt);
 
   std::int32_t count() const { return static_cast<std::int32_t>(first_.size()); }
   std::int32_t index(const Steps<Dim>& coordinates) const {
@@ -53,6 +64,29 @@ class SlidingCells {
       result.lag[axis] = steps[axis] - (target - home[axis]);
     }
     return result;
+  }
+
+  /// Calls `visit(first, last, lag)` for the runs of cells `first`, first + 1, ... `last` that make
+  /// up a row beside `cell`: one, or two where the row leads through a face of the box.
+  template <class Visit>
+  void for_each_run(std::int32_t cell, const Row& row, Visit visit) const {
+    const Steps<Dim>& home = coordinates(cell);
+    Steps<Dim> lag{};
+    std::int32_t base = 0;
+    for (std::size_t axis = 1; axis < Dim; ++axis) {
+      const int target = wrapped(home[axis] + row.steps[axis], cells_[axis]);
+      base += target * strides_[axis];
+      lag[axis] = row.steps[axis] - (target - home[axis]);
+    }
+    const int side = cells_[0];
+    const int start = wrapped(home[0] - layers(row.steps) * whole_slide_, side);
+    for (int from = row.from; from <= row.to;) {
+      const int first = wrapped(start + from, side);
+      const int count = std::min(row.to - from + 1, side - first);
+      lag[0] = from - (first - home[0]);
+      visit(base + first, base + first + count - 1, lag);
+      from += count;
+    }
   }
 
   /// The same for a way of any length between two known cells.
@@ -103,6 +137,7 @@ class SlidingCells {
   }
 
   Steps<Dim> cells_;
+  std::optional<int> closed_axis_;
   std::array<std::int32_t, Dim> strides_{};
   int whole_slide_ = 0;  ///< in [0, cells_[0])
   std::vector<std::int32_t> first_;

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "engine/loose_packing.hpp"
-#include "model/random.hpp"
+#include "engine/simulation.hpp"
+#include "model/instantiate.hpp"
 
 namespace zenosphere {
 
@@ -55,39 +56,23 @@ std::vector<Vec<3, double>> fcc_lattice(std::int32_t spheres, double side) {
   return positions;
 }
 
-template <int Dim>
-std::vector<Vec<Dim, double>> thermal_velocities(std::int32_t spheres, double temperature,
-                                                 Random& random) {
-  std::vector<Vec<Dim, double>> velocities(static_cast<std::size_t>(spheres));
-  Vec<Dim, double> mean;
-  for (auto& velocity : velocities) {
-    for (int axis = 0; axis < Dim; ++axis) velocity[axis] = random.normal();
-    mean += velocity * (1.0 / spheres);
-  }
-  double twice_energy = 0;
-  for (auto& velocity : velocities) {
-    velocity -= mean;
-    twice_energy += dot(velocity, velocity);
-  }
-  const double scale = twice_energy > 0 ? std::sqrt(temperature * Dim * spheres / twice_energy) : 0;
-  for (auto& velocity : velocities) velocity *= scale;
-  return velocities;
-}
-
 /// Random places: overlaps pushed apart, then mixed by elastic collisions at unit temperature.
 template <int Dim>
-std::vector<Vec<Dim, double>> random_places(std::int32_t spheres, double side, Random& random) {
+std::vector<Vec<Dim, double>> random_places(std::int32_t spheres, const ShearBox<Dim, double>& box,
+                                            Random& random) {
   constexpr std::int64_t kMixingCollisionsPerSphere = 20;  // g(r) forgets the pushing in about 5
   Configuration<Dim, double> state;
-  state.positions = loose_packing<Dim>(spheres, side, random);
+  state.positions = loose_packing<Dim>(spheres, box, random);
   state.velocities = thermal_velocities<Dim>(spheres, 1.0, random);
-  Vec<Dim, double> sides;
-  for (int axis = 0; axis < Dim; ++axis) sides[axis] = side;
-  Simulation<Dim, double> mixing(ShearBox<Dim, double>(sides, 0), state, {1.0});
+  Surroundings<Dim, double> surroundings;
+  if (const auto axis = box.closed_axis()) surroundings.walls = Walls<double>{.axis = *axis};
+  const ShearBox<Dim, double> still(box.sides(), 0, 1.0, box.closed_axis());
+  Simulation<Dim, double> mixing(still, state, {1.0}, surroundings);
   const std::int64_t collisions = kMixingCollisionsPerSphere * spheres / 2;
-  // A gas too thin to collide is mixed already: a unit speed crosses the box in `side`.
-  const double longest = 20 * side;
-  while (mixing.collisions() < collisions && mixing.time() < longest) {
+  // A gas too thin to collide is mixed already: a unit speed crosses the box in its side.
+  double longest = 0;
+  for (int axis = 0; axis < Dim; ++axis) longest = std::max(longest, 20 * box.sides()[axis]);
+  while (mixing.collisions() < collisions && !mixing.has_reached(longest)) {
     mixing.next_collision(longest);
   }
   return mixing.configuration().positions;
@@ -103,22 +88,44 @@ double box_side(std::int64_t spheres, double solids_volume_fraction) {
 }
 
 template <int Dim>
-Configuration<Dim, double> make_start(const StartRequest& request, double side) {
+std::vector<Vec<Dim, double>> thermal_velocities(std::int32_t spheres, double temperature,
+                                                 Random& random) {
+  std::vector<Vec<Dim, double>> velocities(static_cast<std::size_t>(spheres));
+  Vec<Dim, double> mean;
+  for (auto& velocity : velocities) {
+    for (int axis = 0; axis < Dim; ++axis) velocity[axis] = random.normal();
+    mean += velocity * (1.0 / spheres);
+  }
+  double twice_energy = 0;
+  for (auto& velocity : velocities) {
+    if (spheres > 1) velocity -= mean;
+    twice_energy += dot(velocity, velocity);
+  }
+  const double scale = twice_energy > 0 ? std::sqrt(temperature * Dim * spheres / twice_energy) : 0;
+  for (auto& velocity : velocities) velocity *= scale;
+  return velocities;
+}
+
+template <int Dim>
+Configuration<Dim, double> make_start(const StartRequest& request,
+                                      const ShearBox<Dim, double>& box) {
   Random random(request.seed);
   Configuration<Dim, double> start;
-  switch (request.arrangement) {
-    case Arrangement::fcc:
-      if constexpr (Dim == 3) start.positions = fcc_lattice(request.spheres, side);
-      break;
-    case Arrangement::random:
-      start.positions = random_places<Dim>(request.spheres, side, random);
-      break;
+  if (request.arrangement == Arrangement::random) {
+    start.positions = random_places<Dim>(request.spheres, box, random);
+  } else {
+    if constexpr (Dim == 3) start.positions = fcc_lattice(request.spheres, box.sides()[0]);
   }
   start.velocities = thermal_velocities<Dim>(request.spheres, request.granular_temperature, random);
   return start;
 }
 
-template double box_side<3>(std::int64_t, double);
-template Configuration<3, double> make_start<3>(const StartRequest&, double);
+#define ZENOSPHERE_INSTANTIATE(Dim)                                                              \
+  template double box_side<Dim>(std::int64_t, double);                                           \
+  template std::vector<Vec<Dim, double>> thermal_velocities<Dim>(std::int32_t, double, Random&); \
+  template Configuration<Dim, double> make_start<Dim>(const StartRequest&,                       \
+                                                      const ShearBox<Dim, double>&);
+ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
 
 }  // namespace zenosphere

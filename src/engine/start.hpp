@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "engine/arrangement.hpp"
-#include "engine/simulation.hpp"
+#include "engine/configuration.hpp"
+#include "model/random.hpp"
+#include "model/shear_box.hpp"
 
 namespace zenosphere {
 
-/// What a start is made from.
+/// What a start is made from; the arrangement is one that this program makes: fcc or random.
 struct StartRequest {
   Arrangement arrangement = Arrangement::fcc;
   std::int32_t spheres = 0;
@@ -15,22 +18,29 @@ struct StartRequest {
   std::uint64_t seed = 1;
 };
 
-/// Side of the cubic box in which `spheres` unit spheres fill a fraction of the volume, diameters.
+/// Side of the cube in which `spheres` unit spheres fill a fraction of the volume, diameters; in
+/// two dimensions discs and a square, in one rods and a line.
 ///
 /// Made of IEEE operations only, so that it is the same on every machine.
 template <int Dim>
 double box_side(std::int64_t spheres, double solids_volume_fraction);
 
-/// Spheres placed in a cubic box, with Gaussian peculiar velocities.
-///
-/// The velocities have exactly zero mean and exactly the wanted granular temperature, up to
-/// rounding. The same request gives the same bits on every machine. Starts are made in `double`,
-/// so that runs of every precision can begin from the same state.
-///
-/// \param side  of the box, diameters
-/// Throws std::invalid_argument where the arrangement cannot be made: fcc with a number of spheres
-/// that is not 4 n^3, or random places too dense to be free of overlaps.
+/// Gaussian velocities with exactly zero mean and exactly the wanted granular temperature, up to
+/// rounding. A single sphere keeps its velocity's direction, and a mean.
 template <int Dim>
-Configuration<Dim, double> make_start(const StartRequest& request, double side);
+std::vector<Vec<Dim, double>> thermal_velocities(std::int32_t spheres, double temperature,
+                                                 Random& random);
+
+/// Spheres placed in a box, with Gaussian peculiar velocities (see thermal_velocities).
+///
+/// The same request gives the same bits on every machine. Starts are made in `double`, so that runs
+/// of every precision can begin from the same state.
+///
+/// \param box  at strain 0; the spheres keep clear of its walls
+/// Throws std::invalid_argument where the arrangement cannot be made: fcc with a number of spheres
+/// that is not 4 n^3 or not in a periodic cube, or random places too dense to be free of overlaps.
+template <int Dim>
+Configuration<Dim, double> make_start(const StartRequest& request,
+                                      const ShearBox<Dim, double>& box);
 
 }  // namespace zenosphere

@@ -16,6 +16,8 @@ struct Averages {
   double collision_rate = 0;                 ///< collisions per sphere per time
   double dissipation = 0;                    ///< energy lost in collisions per volume and time
   double shear_work = 0;                     ///< -P_xy shear_rate: work per volume and time
+  double other_work = 0;                     ///< of gravity, walls and kicks, per volume and time
+  std::vector<double> wall_pressure;         ///< on the lower and the upper wall; else empty
   double compressibility_factor = 0;         ///< pressure / (number density x temperature)
   double normal_speed = 0;                   ///< mean closing speed of the collisions
   double from_time = 0;

@@ -10,6 +10,7 @@ namespace zenosphere {
 template <int Dim, class Real>
 Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation, double after_time)
     : shear_rate_(simulation.box().shear_rate()),
+      acceleration_(simulation.surroundings().acceleration),
       clock_unit_(simulation.box().clock_unit()),
       after_time_(after_time),
       after_{0, Real(after_time)},
@@ -21,16 +22,30 @@ Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation, d
 template <int Dim, class Real>
 void Measurements<Dim, Real>::observe(const Collision<Dim, Real>& collision,
                                       const Simulation<Dim, Real>& simulation) {
-  if (!sums_before_ && elapsed(after_, collision.time, clock_unit_) >= 0) {
-    sums_before_ = sums_;
-    add_flights_until(*sums_before_, after_, simulation, &collision);
-  }
+  start_averages(simulation, &collision);
   for (const std::int32_t sphere : {collision.i, collision.j}) {
+    if (simulation.wall(sphere)) continue;
     auto& start = flight_start_[static_cast<std::size_t>(sphere)];
     add_flight(sums_, velocity_before(sphere, collision, simulation),
                elapsed(start, collision.time, clock_unit_));
     start = collision.time;
   }
+  add_contact(collision, simulation);
+}
+
+/// Notes the sums at `after_time`, once it has been reached.
+template <int Dim, class Real>
+void Measurements<Dim, Real>::start_averages(const Simulation<Dim, Real>& simulation,
+                                             const Collision<Dim, Real>* collision) {
+  if (sums_before_ || elapsed(after_, simulation.now(), clock_unit_) < 0) return;
+  Sums sums = sums_;
+  add_flights_until(sums, after_, simulation, collision);
+  sums_before_ = sums;
+}
+
+template <int Dim, class Real>
+void Measurements<Dim, Real>::add_contact(const Collision<Dim, Real>& collision,
+                                          const Simulation<Dim, Real>& simulation) {
   const auto& impact = collision.impact;
   for (int a = 0; a < Dim; ++a) {
     for (int b = 0; b < Dim; ++b) {
@@ -38,27 +53,39 @@ void Measurements<Dim, Real>::observe(const Collision<Dim, Real>& collision,
           impact.distance * impact.impulse * impact.normal[a] * impact.normal[b];
     }
   }
-  sums_.dissipation += impact.impulse * (impact.normal_speed - impact.impulse);
   sums_.normal_speed += impact.normal_speed;
   ++sums_.collisions;
+  const auto wall = simulation.wall(collision.j);
+  if (!wall) {
+    sums_.dissipation += impact.impulse * (impact.normal_speed - impact.impulse);
+    return;
+  }
+  const auto side = static_cast<std::size_t>(*wall);
+  const Vector after = simulation.peculiar_velocity(collision.i);
+  const Real gain = dot(collision.change, after - collision.change * Real(0.5));
+  const Real work = collision.change[0] * simulation.surroundings().walls->speed[side];
+  sums_.wall_impulse[side] += impact.impulse;
+  sums_.wall_work += work;
+  sums_.dissipation += work - gain;
 }
 
-/// Adds the integral of v_a v_b over a flight that ends with the given peculiar velocity.
+/// Adds the integrals over a flight that ends with the given peculiar velocity.
 template <int Dim, class Real>
 void Measurements<Dim, Real>::add_flight(Sums& sums, const Vector& velocity_at_end,
                                          const Real& duration) const {
-  Vector mean = velocity_at_end;
-  Real change = 0;  // of v_x over the flight
+  Vector change = acceleration_ * duration;
   if constexpr (Dim > 1) {
-    change = -shear_rate_ * velocity_at_end[1] * duration;
-    mean[0] -= change / 2;
+    // v_y itself may change: over the flight its mean counts.
+    change[0] -= shear_rate_ * (velocity_at_end[1] - change[1] / 2) * duration;
   }
+  const Vector mean = velocity_at_end - change * Real(0.5);
   for (int a = 0; a < Dim; ++a) {
     for (int b = 0; b < Dim; ++b) {
-      sums.kinetic[static_cast<std::size_t>(a * Dim + b)] += mean[a] * mean[b] * duration;
+      sums.kinetic[static_cast<std::size_t>(a * Dim + b)] +=
+          (mean[a] * mean[b] + change[a] * change[b] / 12) * duration;
     }
   }
-  sums.kinetic[0] += change * change / 12 * duration;
+  sums.gravity_work += dot(acceleration_, mean) * duration;
 }
 
 /// Adds the part of every flight under way that lies before `end`.
@@ -74,6 +101,7 @@ void Measurements<Dim, Real>::add_flights_until(Sums& sums, const Instant<Real>&
     Vector velocity =
         has_collided ? velocity_before(i, *collision, simulation) : simulation.peculiar_velocity(i);
     if constexpr (Dim > 1) velocity[0] += shear_rate_ * velocity[1] * ahead;
+    velocity -= acceleration_ * ahead;
     add_flight(sums, velocity,
                elapsed(flight_start_[static_cast<std::size_t>(i)], end, clock_unit_));
   }
@@ -83,9 +111,19 @@ template <int Dim, class Real>
 Vec<Dim, Real> Measurements<Dim, Real>::velocity_before(
     std::int32_t sphere, const Collision<Dim, Real>& collision,
     const Simulation<Dim, Real>& simulation) const {
-  const Vector change = collision.impact.normal * collision.impact.impulse;
   const Vector after = simulation.peculiar_velocity(sphere);
-  return sphere == collision.i ? after + change : after - change;
+  return sphere == collision.i ? after - collision.change : after + collision.change;
+}
+
+template <int Dim, class Real>
+void Measurements<Dim, Real>::kick(Simulation<Dim, Real>& simulation,
+                                   const std::vector<Vector>& changes) {
+  start_averages(simulation, nullptr);
+  sums_ = sums_now(simulation);
+  std::fill(flight_start_.begin(), flight_start_.end(), simulation.now());
+  const Real energy = kinetic_energy(simulation);
+  simulation.kick(changes);
+  sums_.kick_work += kinetic_energy(simulation) - energy;
 }
 
 template <int Dim, class Real>
@@ -107,14 +145,21 @@ Real Measurements<Dim, Real>::kinetic_energy(const Simulation<Dim, Real>& simula
 }
 
 template <int Dim, class Real>
+Real Measurements<Dim, Real>::shear_work(const Sums& sums) const {
+  if constexpr (Dim == 1) return 0;
+  return -shear_rate_ * (sums.kinetic[Dim > 1 ? 1 : 0] + sums.collisional[Dim > 1 ? 1 : 0]);
+}
+
+template <int Dim, class Real>
 double Measurements<Dim, Real>::ledger_error(const Simulation<Dim, Real>& simulation) const {
   using std::abs;
   const Sums sums = sums_now(simulation);
   const Real energy = kinetic_energy(simulation);
-  Real work = 0;
-  if constexpr (Dim > 1) work = -shear_rate_ * (sums.kinetic[1] + sums.collisional[1]);
+  const Real work = shear_work(sums) + sums.gravity_work + sums.wall_work + sums.kick_work;
   const Real error = abs(energy - initial_energy_ - work + sums.dissipation);
-  const Real scale = std::max({energy, initial_energy_, Real(abs(work)), sums.dissipation});
+  const Real scale =
+      std::max({energy, initial_energy_, Real(abs(shear_work(sums))), Real(abs(sums.gravity_work)),
+                Real(abs(sums.wall_work)), sums.kick_work, sums.dissipation});
   return scale > 0 ? static_cast<double>(error / scale) : 0;
 }
 
@@ -131,33 +176,37 @@ std::optional<Averages> Measurements<Dim, Real>::averages(
     before = sums_;
     add_flights_until(before, after_, simulation, nullptr);
   }
+  const auto& box = simulation.box();
   const Real spheres = static_cast<Real>(simulation.spheres());
-  const Real volume = simulation.box().volume();
+  const Real volume = box.volume();
+  const auto rate = [&](const Real& now, const Real& then) {  // per volume and time
+    return static_cast<double>((now - then) / (volume * span));
+  };
   Averages averages;
-  Real trace_v = 0;
-  Real trace_p = 0;
   for (std::size_t ab = 0; ab < Dim * Dim; ++ab) {
-    const Real kinetic = sums.kinetic[ab] - before.kinetic[ab];
-    const Real pressure =
-        (kinetic + (sums.collisional[ab] - before.collisional[ab])) / (volume * span);
-    averages.pressure_tensor.push_back(static_cast<double>(pressure));
+    averages.pressure_tensor.push_back(
+        rate(sums.kinetic[ab] + sums.collisional[ab], before.kinetic[ab] + before.collisional[ab]));
     if (ab % (Dim + 1) != 0) continue;
-    averages.temperature_diagonal.push_back(static_cast<double>(kinetic / (spheres * span)));
-    trace_v += kinetic / (spheres * span);
-    trace_p += pressure;
+    const double temperature =
+        static_cast<double>((sums.kinetic[ab] - before.kinetic[ab]) / (spheres * span));
+    averages.temperature_diagonal.push_back(temperature);
+    averages.granular_temperature += temperature / Dim;
+    averages.pressure += averages.pressure_tensor[ab] / Dim;
   }
   const Real collisions = static_cast<Real>(sums.collisions - before.collisions);
-  const Real temperature = trace_v / Dim;
-  averages.granular_temperature = static_cast<double>(temperature);
-  averages.pressure = static_cast<double>(trace_p / Dim);
   averages.collision_rate = static_cast<double>(2 * collisions / (spheres * span));
-  averages.dissipation =
-      static_cast<double>((sums.dissipation - before.dissipation) / (volume * span));
-  if constexpr (Dim > 1) {
-    averages.shear_work = -averages.pressure_tensor[1] * static_cast<double>(shear_rate_);
+  averages.dissipation = rate(sums.dissipation, before.dissipation);
+  averages.shear_work = rate(shear_work(sums), shear_work(before));
+  averages.other_work = rate(sums.gravity_work + sums.wall_work + sums.kick_work,
+                             before.gravity_work + before.wall_work + before.kick_work);
+  if (const auto axis = box.closed_axis()) {
+    for (const std::size_t wall : {0, 1}) {
+      averages.wall_pressure.push_back(static_cast<double>(box.sides()[*axis]) *
+                                       rate(sums.wall_impulse[wall], before.wall_impulse[wall]));
+    }
   }
   averages.compressibility_factor =
-      static_cast<double>(trace_p / Dim * volume / (spheres * temperature));
+      averages.pressure * static_cast<double>(volume / spheres) / averages.granular_temperature;
   averages.normal_speed =
       static_cast<double>((sums.normal_speed - before.normal_speed) / collisions);
   averages.from_time = after_time_;

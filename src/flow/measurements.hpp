@@ -11,9 +11,9 @@ namespace zenosphere {
 
 /// Exact time averages and the energy ledger of a run, from its stream of collisions.
 ///
-/// Between two collisions of a sphere its peculiar velocity is constant but for the x component,
-/// which changes by -shear_rate v_y per time; so the integrals over each flight are closed
-/// formulas, and nothing depends on a sampling interval.
+/// Between two collisions of a sphere its peculiar velocity changes at a constant rate: that of
+/// gravity, and -shear_rate v_y along x. So the integrals over each flight are closed formulas, and
+/// nothing depends on a sampling interval.
 ///
 /// Source of the pressure tensor: Irving & Kirkwood, J. Chem. Phys. 18 (1950) 817; for hard
 /// spheres Alder, Gass & Wainwright, J. Chem. Phys. 53 (1970) 3813.
@@ -29,10 +29,15 @@ class Measurements {
   /// To be called once after each collision, in order.
   void observe(const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation);
 
+  /// Changes the velocity of every sphere through `simulation.kick(changes)`, with the work of the
+  /// kicks booked.
+  void kick(Simulation<Dim, Real>& simulation, const std::vector<Vector>& changes);
+
   /// Averages from `after_time` to the simulation's clock, or nothing if that span is empty.
   std::optional<Averages> averages(const Simulation<Dim, Real>& simulation) const;
 
-  /// | kinetic energy change - shear work + dissipation |, relative to the largest of the terms.
+  /// | kinetic energy change - work + dissipation |, relative to the largest of the terms; the work
+  /// is that of the shear, of gravity, of moving walls and of kicks.
   ///
   /// The kinetic energy is that of the engine, the work that of the integrals above.
   double ledger_error(const Simulation<Dim, Real>& simulation) const;
@@ -41,21 +46,30 @@ class Measurements {
   struct Sums {
     std::array<Real, Dim * Dim> kinetic{};      ///< time integral of sum v_a v_b
     std::array<Real, Dim * Dim> collisional{};  ///< sum of r_a J_b
+    std::array<Real, 2> wall_impulse{};         ///< normal to the lower and the upper wall
+    Real gravity_work = 0;
+    Real wall_work = 0;
+    Real kick_work = 0;
     Real dissipation = 0;
     Real normal_speed = 0;
     std::int64_t collisions = 0;
   };
 
+  void start_averages(const Simulation<Dim, Real>& simulation,
+                      const Collision<Dim, Real>* collision);
+  void add_contact(const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation);
   void add_flight(Sums& sums, const Vector& velocity_at_end, const Real& duration) const;
   void add_flights_until(Sums& sums, const Instant<Real>& end,
                          const Simulation<Dim, Real>& simulation,
                          const Collision<Dim, Real>* collision) const;
   Sums sums_now(const Simulation<Dim, Real>& simulation) const;
+  Real shear_work(const Sums& sums) const;
   Real kinetic_energy(const Simulation<Dim, Real>& simulation) const;
   Vector velocity_before(std::int32_t sphere, const Collision<Dim, Real>& collision,
                          const Simulation<Dim, Real>& simulation) const;
 
   Real shear_rate_;
+  Vector acceleration_;
   Real clock_unit_;
   double after_time_;
   Instant<Real> after_;

@@ -3,15 +3,33 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/arrangement.hpp"
 #include "model/overlap_rule.hpp"
 
 namespace zenosphere {
 
-enum class DriveKind { none, shear };
-enum class Precision { double_precision };
+enum class DriveKind { none, shear, random };
+enum class Precision { double_precision, extended, quad, digits100 };
 enum class CollisionLog { all, window, none };
+enum class Axis { x, y, z };
+
+/// The threshold of the separation criterion, 1e-16 diameters in `double`, scaled to the rounding
+/// of a precision: by 2^-11, 2^-60 and 2^-281 for significands of 64, 113 and 334 bits.
+constexpr double default_gap_threshold(Precision precision) {
+  switch (precision) {
+    case Precision::extended:
+      return 1e-16 * 0x1p-11;
+    case Precision::quad:
+      return 1e-16 * 0x1p-60;
+    case Precision::digits100:
+      return 1e-16 * 0x1p-281;
+    case Precision::double_precision:
+      break;
+  }
+  return 1e-16;
+}
 
 /// One run as its user describes it: the resolved content of a case file.
 ///
@@ -22,17 +40,34 @@ struct Case {
     int dimension = 0;
     std::int64_t spheres = 0;
     double restitution = 0;
-    double solids_volume_fraction = 0;
+    double solids_volume_fraction = 0;  ///< of the box; 0 where `sides` are given
+    double aspect_ratio = 1;            ///< side along x / each other side
+    std::vector<double> sides{};        ///< D sides; empty: from the two keys above
   } system;
   struct Start {
     Arrangement arrangement = Arrangement::fcc;
-    double granular_temperature = 0;  ///< (diameter/time)^2
+    std::optional<double> granular_temperature;  ///< (diameter/time)^2; none: as given
     std::uint64_t seed = 1;
+    std::vector<std::vector<double>> positions{};   ///< N x D, for Arrangement::given
+    std::vector<std::vector<double>> velocities{};  ///< N x D, laboratory, likewise
+    std::string file{};                             ///< for Arrangement::file
   } start;
   struct Drive {
     DriveKind kind = DriveKind::none;
-    double shear_rate = 0;  ///< 1/time
+    double shear_rate = 0;      ///< 1/time
+    double noise_strength = 0;  ///< variance of velocity gained per time, diameter^2/time^3
+    double kick_interval = 0;   ///< time between kicks
   } drive;
+  struct Walls {
+    std::optional<Axis> axis;  ///< normal of the walls; none: no walls
+    double restitution = 1;
+    double tangential_restitution = -1;  ///< -1 smooth, 0 the sphere takes the wall's velocity
+    double lower_speed = 0;              ///< of the wall along x, diameters/time
+    double upper_speed = 0;
+  } walls;
+  struct Gravity {
+    std::vector<double> acceleration{};  ///< D components, diameters/time^2; empty: none
+  } gravity;
   struct Collisions {
     OverlapRule overlap = OverlapRule::rewind;
     double guard = 1e-15;  ///< diameter^2/time; only the rule `guarded` reads it

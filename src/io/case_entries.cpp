@@ -58,12 +58,42 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
+/// The numbers of an array, or nothing if something else is in it.
+std::optional<std::vector<double>> numbers_of(const toml::array& array) {
+  std::vector<double> numbers;
+  numbers.reserve(array.size());
+  for (const toml::node& node : array) {
+    const auto number = node.value<double>();
+    if (!node.is_number() || !number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+Value value_of(const toml::node& node);
+
+Array::Item item_of(const toml::node& node) {
+  if (const auto* array = node.as_array()) {
+    if (auto numbers = numbers_of(*array)) return *std::move(numbers);
+    return "an array with more than numbers in it";
+  }
+  if (node.is_number()) return node.value<double>().value();
+  return kind_of(value_of(node));
+}
+
+Array array_of(const toml::array& array) {
+  Array result;
+  result.items.reserve(array.size());
+  for (const toml::node& node : array) result.items.push_back(item_of(node));
+  return result;
+}
+
 Value value_of(const toml::node& node) {
   if (const auto* boolean = node.as_boolean()) return boolean->get();
   if (const auto* integer = node.as_integer()) return integer->get();
   if (const auto* real = node.as_floating_point()) return real->get();
   if (const auto* text = node.as_string()) return text->get();
-  if (node.is_array()) return Other{"[...]", "an array"};
+  if (const auto* array = node.as_array()) return array_of(*array);
   if (node.is_table()) return Other{"{...}", "a table"};
   return Other{"...", "a date or time"};
 }
@@ -147,11 +177,37 @@ std::vector<Entry> entries_of(std::span<const std::string> overrides, Problems& 
   return entries;
 }
 
+namespace {
+
+std::string numbers_text(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    if (text.size() > longest_shown) break;  // nobody will see it
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
+  }
+  return '[' + text + ']';
+}
+
+std::string array_text(const Array& array) {
+  std::string text;
+  for (const Array::Item& item : array.items) {
+    if (!text.empty()) text += ", ";
+    if (const auto* number = std::get_if<double>(&item)) text += fmt::format("{}", *number);
+    if (const auto* row = std::get_if<std::vector<double>>(&item)) text += numbers_text(*row);
+    const bool is_other = std::holds_alternative<std::string>(item);
+    if (is_other || text.size() > longest_shown) return "[...]";
+  }
+  return '[' + text + ']';
+}
+
+}  // namespace
+
 std::string shown(const Value& value) {
   const auto text = [](const auto& held) -> std::string {
     using Held = std::decay_t<decltype(held)>;
     if constexpr (std::is_same_v<Held, std::string>) return quoted(shortened(held));
     if constexpr (std::is_same_v<Held, double>) return real_text(held);
+    if constexpr (std::is_same_v<Held, Array>) return array_text(held);
     if constexpr (std::is_same_v<Held, Other>) return held.shown;
     if constexpr (std::is_same_v<Held, TableHead>) return "{...}";
     if constexpr (std::is_arithmetic_v<Held>) return fmt::format("{}", held);
@@ -164,6 +220,7 @@ std::string kind_of(const Value& value) {
   if (std::holds_alternative<std::int64_t>(value)) return "an integer";
   if (std::holds_alternative<double>(value)) return "a real number";
   if (std::holds_alternative<std::string>(value)) return "text";
+  if (std::holds_alternative<Array>(value)) return "an array";
   if (const auto* other = std::get_if<Other>(&value)) return other->kind;
   return "a table";
 }

@@ -11,14 +11,20 @@
 
 namespace zenosphere::case_format {
 
+/// An array of numbers, of arrays of numbers, or of both.
+struct Array {
+  /// A number, an array of numbers, or what stands there instead, for example `text`.
+  using Item = std::variant<double, std::vector<double>, std::string>;
+  std::vector<Item> items;
+};
 /// A TOML value that no key of a case can hold.
 struct Other {
-  std::string shown;  ///< as in an error message, for example `[...]`
-  std::string kind;   ///< for example `an array`
+  std::string shown;  ///< as in an error message, for example `{...}`
+  std::string kind;   ///< for example `a table`
 };
 /// The head of a table; what stands in it follows as entries of its own.
 struct TableHead {};
-using Value = std::variant<bool, std::int64_t, double, std::string, Other, TableHead>;
+using Value = std::variant<bool, std::int64_t, double, std::string, Array, Other, TableHead>;
 
 /// One key of a case file or of an override, with its value.
 struct Entry {
@@ -45,8 +51,8 @@ std::vector<Entry> entries_of(std::string_view text, const std::string& name);
 /// no quotes. An override without `=` or key becomes a problem.
 std::vector<Entry> entries_of(std::span<const std::string> overrides, Problems& problems);
 
-/// The value as TOML would write it, cut after 60 bytes; real numbers so that they read back to
-/// the same bits, with a point or an exponent.
+/// The value as TOML would write it, text cut after 60 bytes, longer arrays as `[...]`; real
+/// numbers so that they read back to the same bits, with a point or an exponent.
 std::string shown(const Value& value);
 
 /// `a number with a fraction`, `text`: the value's type in a message.

@@ -15,8 +15,9 @@
 namespace zenosphere {
 namespace {
 
-/// A case takes a few hundred bytes; what is larger is another file, named by mistake.
-constexpr std::streamsize most_bytes = 1'048'576;
+/// The most positions and velocities that a case may write take 15 MB with all their digits; what
+/// is larger is another file, named by mistake.
+constexpr std::streamsize most_bytes = 16'777'216;
 
 std::string content_of(const std::filesystem::path& file) {
   const std::string name = file.string();
@@ -34,11 +35,17 @@ std::string content_of(const std::filesystem::path& file) {
   if (stream.bad()) throw InputError(name + ": cannot be read to its end; check the disk it is on");
   if (stream.gcount() > most_bytes) {
     throw InputError(name +
-                     ": is larger than 1 MiB (a case takes some hundred bytes); "
+                     ": is larger than 16 MiB (a case with 100000 written spheres takes less); "
                      "check that it is the case file");
   }
   content.resize(static_cast<std::size_t>(stream.gcount()));
   return content;
+}
+
+/// The absolute name of a file that a case names, from the directory of the case file.
+std::string resolved_path(const std::string& path, const std::string& case_name) {
+  const std::filesystem::path folder = std::filesystem::path(case_name).parent_path();
+  return std::filesystem::absolute(folder / path).lexically_normal().string();
 }
 
 }  // namespace
@@ -58,15 +65,17 @@ Case parse_case(std::string text, const std::string& name, std::span<const std::
   }
   Case values = case_format::case_of(entries, name, problems);
   problems.throw_if_any();
+  if (!values.start.file.empty()) values.start.file = resolved_path(values.start.file, name);
   values.text = std::move(text);
   return values;
 }
 
 std::string resolved_toml(const Case& values) {
+  Case copy = values;  // slots point into a case that may be changed
   std::string text;
   std::string_view table;
   for (const case_format::Key& key : case_format::keys()) {
-    const auto value = case_format::toml_text(key, values);
+    const auto value = case_format::toml_text(key, copy);
     if (!value) continue;
     if (key.table != table) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.table);
     table = key.table;

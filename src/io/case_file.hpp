@@ -12,8 +12,9 @@ namespace zenosphere {
 ///
 /// docs/case-file.md lists the keys. An override `KEY=VALUE` has a dotted key, as in
 /// `system.restitution=0.2`; it replaces the file's value or adds a missing key, the last one wins.
+/// A relative `start.file` is meant from the case file's directory; the case has it absolute.
 ///
-/// \param file       at most 1 MiB of UTF-8, lines of at most 10000 bytes
+/// \param file       at most 16 MiB of UTF-8, lines of at most 10000 bytes
 /// \param overrides  the arguments of `--set`
 /// Throws InputError: one line `file:line:column: key = value (why); what to do` for each problem,
 /// in the order of the file; problems of overrides follow, then missing keys.

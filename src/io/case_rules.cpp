@@ -3,86 +3,75 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 
-#include "engine/start.hpp"
-#include "io/case_table.hpp"
+#include "io/case_box.hpp"
 
 namespace zenosphere::case_format {
 namespace {
 
 using Objection = std::optional<std::string>;
 
-/// Densest random arrangement [volume fraction]: above 0.494 hard spheres begin to freeze, so that
-/// mixing no longer forgets the order (Hoover & Ree, J. Chem. Phys. 49 (1968) 3609).
-constexpr double densest_random = 0.5;
+bool is_zero(double number) { return number == 0; }
 
-/// Two cells must fit a side, each a little wider than a sphere: as ShearBox has it.
-constexpr double smallest_cell_width = 1 + 1e-9;
-
-std::int64_t fcc_places(std::int64_t cells_a_side) {
-  return 4 * cells_a_side * cells_a_side * cells_a_side;
+Objection shear_on_a_line(const Case& values) {
+  const bool sheared = values.drive.kind == DriveKind::shear;
+  if (!sheared || values.system.dimension > 1) return std::nullopt;
+  return "(needs a flow and a gradient direction, system.dimension = 1); use 2 or 3 dimensions";
 }
 
-/// A fraction of 0 means that it is not known.
-bool box_is_wide_enough(std::int64_t spheres, const Case& values) {
-  const double fraction = values.system.solids_volume_fraction;
-  return fraction == 0 || box_side<3>(spheres, fraction) > 2 * smallest_cell_width;
+Objection shear_between_walls(const Case& values) {
+  if (values.drive.kind != DriveKind::shear || !values.walls.axis) return std::nullopt;
+  if (values.walls.axis == Axis::y) {
+    return "(its gradient direction y ends at walls); shear by moving walls: walls.lower_speed and "
+           "walls.upper_speed with drive.kind = \"none\"";
+  }
+  return "(not together with [walls] in this version); remove one of the two";
 }
 
-/// Smallest number of spheres >= `from` that the arrangement can place in a box wide enough.
-std::int64_t fewest_spheres(std::int64_t from, const Case& values) {
-  const bool lattice = values.start.arrangement == Arrangement::fcc;
-  std::int64_t steps = 0;
-  const auto spheres = [&] { return lattice ? fcc_places(steps) : steps; };
-  while (spheres() < from || !box_is_wide_enough(spheres(), values)) ++steps;
-  return spheres();
+Objection gravity_has_other_dimension(const Case& values) {
+  const auto components = values.gravity.acceleration.size();
+  if (components == 0 || components == static_cast<std::size_t>(values.system.dimension)) {
+    return std::nullopt;
+  }
+  return fmt::format("(number of components = {}, system.dimension = {}); make them equal",
+                     components, values.system.dimension);
 }
 
-/// `; use 4000 or 5324`: the full lattices nearest to the number of spheres asked for.
-std::string nearest_full_lattices(const Case& values) {
-  const auto most = static_cast<std::int64_t>(key_named("system", "spheres")->range.high);
-  std::int64_t cells = 0;
-  while (fcc_places(cells + 1) < values.system.spheres) ++cells;
-  const std::int64_t below = fcc_places(cells);
-  const std::int64_t above = fewest_spheres(below + 1, values);
-  const bool below_fits = below > 0 && box_is_wide_enough(below, values);
-  if (!below_fits) return fmt::format("; use {}", above);
-  if (above > most) return fmt::format("; use {}", below);
-  return fmt::format("; use {} or {}", below, above);
+/// What is wrong with the shape of positions or velocities written in the case.
+Objection wrong_shape(const std::vector<std::vector<double>>& rows, const Case& values) {
+  if (values.start.arrangement != Arrangement::given || rows.empty()) return std::nullopt;
+  const auto components = static_cast<std::size_t>(values.system.dimension);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].size() == components) continue;
+    return fmt::format("(sphere {} has {} components, system.dimension = {}); make them equal", i,
+                       rows[i].size(), components);
+  }
+  if (rows.size() == static_cast<std::size_t>(values.system.spheres)) return std::nullopt;
+  return fmt::format("(has {} spheres, system.spheres = {}); make them equal", rows.size(),
+                     values.system.spheres);
 }
 
-bool fills_lattice(std::int64_t spheres) {
-  std::int64_t cells = 1;
-  while (fcc_places(cells) < spheres) ++cells;
-  return fcc_places(cells) == spheres;
+Objection positions_have_wrong_shape(const Case& values) {
+  return wrong_shape(values.start.positions, values);
 }
 
-/// May be asked before the density is known: it is 0 then, and every box wide enough.
-Objection lattice_not_full(const Case& values) {
-  const bool lattice = values.start.arrangement == Arrangement::fcc;
-  if (!lattice || fills_lattice(values.system.spheres)) return std::nullopt;
-  return "(fcc fills 4 n^3 places)" + nearest_full_lattices(values);
-}
-
-Objection box_too_narrow(const Case& values) {
-  if (box_is_wide_enough(values.system.spheres, values)) return std::nullopt;
-  const double side = box_side<3>(values.system.spheres, values.system.solids_volume_fraction);
-  return fmt::format("(the box side would be {:.6g} diameters, must be above 2); use at least {}",
-                     side, fewest_spheres(2, values));
-}
-
-Objection too_dense_for_random(const Case& values) {
-  const bool random = values.start.arrangement == Arrangement::random;
-  if (!random || values.system.solids_volume_fraction <= densest_random) return std::nullopt;
-  return fmt::format("(must be in (0, {}] for start.arrangement = \"random\")", densest_random);
+Objection velocities_have_wrong_shape(const Case& values) {
+  return wrong_shape(values.start.velocities, values);
 }
 
 Objection nothing_moves(const Case& values) {
-  const bool sheared = values.drive.kind == DriveKind::shear && values.drive.shear_rate > 0;
-  if (values.start.granular_temperature > 0 || sheared) return std::nullopt;
-  return "(nothing would ever move); use a value above 0, or shear";
+  const auto& temperature = values.start.granular_temperature;
+  if (!temperature || *temperature > 0 || is_driven(values)) return std::nullopt;
+  return "(nothing would ever move); use a value above 0, or drive the spheres";
+}
+
+Objection nothing_moves_as_given(const Case& values) {
+  const auto& start = values.start;
+  const bool is_read = start.arrangement == Arrangement::given && !start.velocities.empty();
+  if (!is_read || is_driven(values)) return std::nullopt;
+  const auto rests = [](const auto& row) { return std::all_of(row.begin(), row.end(), is_zero); };
+  if (!std::all_of(start.velocities.begin(), start.velocities.end(), rests)) return std::nullopt;
+  return "(nothing would ever move); use a velocity other than 0, or drive the spheres";
 }
 
 Objection log_ends_before_it_begins(const Case& values) {
@@ -91,21 +80,71 @@ Objection log_ends_before_it_begins(const Case& values) {
   return fmt::format("(must be >= output.log_first = {})", output.log_first);
 }
 
-constexpr std::array<std::string_view, 2> lattice_keys{"system.spheres", "start.arrangement"};
-constexpr std::array<std::string_view, 3> box_keys{
-    "system.spheres", "system.solids_volume_fraction", "start.arrangement"};
-constexpr std::array<std::string_view, 2> density_keys{"system.solids_volume_fraction",
-                                                       "start.arrangement"};
-constexpr std::array<std::string_view, 3> motion_keys{"start.granular_temperature", "drive.kind",
-                                                      "drive.shear_rate"};
-constexpr std::array<std::string_view, 2> log_keys{"output.log_last", "output.log_first"};
-constexpr std::array all_rules{Rule{lattice_keys, lattice_not_full}, Rule{box_keys, box_too_narrow},
-                               Rule{density_keys, too_dense_for_random},
-                               Rule{motion_keys, nothing_moves},
-                               Rule{log_keys, log_ends_before_it_begins}};
+/// The box, then what is in it, then what is done to it.
+std::vector<Rule> all_rules() {
+  std::vector<Rule> rules(box_rules().begin(), box_rules().end());
+  const std::vector<Rule> others{
+      {{"start.positions", "start.arrangement", "system.dimension", "system.spheres"},
+       positions_have_wrong_shape},
+      {{"start.velocities", "start.arrangement", "system.dimension", "system.spheres"},
+       velocities_have_wrong_shape},
+      {{"drive.kind", "system.dimension"}, shear_on_a_line},
+      {{"drive.kind", "walls.axis"}, shear_between_walls},
+      {{"gravity.acceleration", "system.dimension"}, gravity_has_other_dimension},
+      {{"start.granular_temperature", "drive.kind", "drive.shear_rate", "gravity.acceleration",
+        "walls.lower_speed", "walls.upper_speed"},
+       nothing_moves},
+      {{"start.velocities", "start.arrangement", "start.granular_temperature", "drive.kind",
+        "drive.shear_rate", "gravity.acceleration", "walls.lower_speed", "walls.upper_speed"},
+       nothing_moves_as_given},
+      {{"output.log_last", "output.log_first"}, log_ends_before_it_begins}};
+  rules.insert(rules.end(), others.begin(), others.end());
+  return rules;
+}
+
+bool always(const Case&) { return true; }
+
+bool draws_velocities(const Case& values) {
+  const auto arrangement = values.start.arrangement;
+  return arrangement == Arrangement::fcc || arrangement == Arrangement::random;
+}
+
+bool is_written(const Case& values) { return values.start.arrangement == Arrangement::given; }
+
+constexpr std::array all_choices{
+    Choice{{"system.solids_volume_fraction", "system.sides"},
+           "",
+           always,
+           true,
+           "the box needs a size"},
+    Choice{{"start.granular_temperature", ""},
+           "start.arrangement",
+           draws_velocities,
+           false,
+           "physics has no default"},
+    Choice{{"start.granular_temperature", "start.velocities"},
+           "start.arrangement",
+           is_written,
+           true,
+           "the spheres need velocities"},
+    Choice{{"run.collisions", "run.time"}, "", always, false, "a run needs an end"}};
 
 }  // namespace
 
-std::span<const Rule> rules() { return all_rules; }
+std::span<const Rule> rules() {
+  static const std::vector<Rule> rules = all_rules();
+  return rules;
+}
+
+std::span<const Choice> choices() { return all_choices; }
+
+bool is_driven(const Case& values) {
+  const auto kind = values.drive.kind;
+  const auto& acceleration = values.gravity.acceleration;
+  const bool falls = !std::all_of(acceleration.begin(), acceleration.end(), is_zero);
+  const bool walls_move = values.walls.lower_speed != 0 || values.walls.upper_speed != 0;
+  return (kind == DriveKind::shear && values.drive.shear_rate > 0) || kind == DriveKind::random ||
+         falls || walls_move;
+}
 
 }  // namespace zenosphere::case_format

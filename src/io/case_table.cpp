@@ -24,11 +24,40 @@ constexpr Range above_to(double low, double high, std::string_view note = "") {
 }
 constexpr Range any = from_to(-unbounded, unbounded);
 
-constexpr Condition only_sheared = {"drive.kind",
+constexpr Condition only_without_sides = {{"system.sides", ""},
+                                          [](const Case& c) { return c.system.sides.empty(); },
+                                          "a box without system.sides"};
+constexpr Condition only_in_a_proportion = {
+    {"system.dimension", "system.sides"},
+    [](const Case& c) { return c.system.dimension > 1 && c.system.sides.empty(); },
+    "two or three dimensions, without system.sides"};
+constexpr Condition only_given = {
+    {"start.arrangement", ""},
+    [](const Case& c) { return c.start.arrangement == Arrangement::given; },
+    "start.arrangement = \"given\""};
+constexpr Condition only_from_file = {
+    {"start.arrangement", ""},
+    [](const Case& c) { return c.start.arrangement == Arrangement::file; },
+    "start.arrangement = \"file\""};
+constexpr Condition only_sheared = {{"drive.kind", ""},
                                     [](const Case& c) { return c.drive.kind == DriveKind::shear; },
                                     "drive.kind = \"shear\""};
+constexpr Condition only_kicked = {{"drive.kind", ""},
+                                   [](const Case& c) { return c.drive.kind == DriveKind::random; },
+                                   "drive.kind = \"random\""};
+constexpr Condition only_walled = {{"walls.axis", ""},
+                                   [](const Case& c) { return c.walls.axis.has_value(); },
+                                   "walls with an axis"};
+constexpr Condition only_touched = {
+    {"walls.axis", "system.dimension"},
+    [](const Case& c) { return c.walls.axis.has_value() && c.system.dimension > 1; },
+    "walls in two or three dimensions"};
+constexpr Condition only_sliding = {
+    {"walls.axis", ""},
+    [](const Case& c) { return c.walls.axis.has_value() && c.walls.axis != Axis::x; },
+    "walls normal to y or z, which can move along x"};
 constexpr Condition only_windowed = {
-    "output.collision_log",
+    {"output.collision_log", ""},
     [](const Case& c) { return c.output.collision_log == CollisionLog::window; },
     "output.collision_log = \"window\""};
 
@@ -38,34 +67,64 @@ constexpr double most_spheres = 1e8;
 constexpr double longest_window = 1e8;
 // Thirty years at a million collisions a second, and every count up to it is exact in a double.
 constexpr double most_collisions = 1e15;
-// Close-packed spheres fill pi / (3 sqrt 2) = 0.7404805 of space.
-constexpr double densest_packing = 0.74048;
+// A coordinate at the far end is still good to a millionth of a diameter.
+constexpr double longest_side = 1e9;
 
 constexpr auto required = Presence::required;
 constexpr auto optional = Presence::optional;
+constexpr auto with_table = Presence::with_table;
 
 constexpr std::array key_table{
     Key{"system", "dimension", required, [](Case& c) -> Slot { return &c.system.dimension; },
-        from_to(3, 3, "this version simulates 3 dimensions only"), nullptr, "dimensions of space"},
+        from_to(1, 3), nullptr, "dimensions of space"},
     Key{"system", "spheres", required, [](Case& c) -> Slot { return &c.system.spheres; },
-        from_to(2, most_spheres), nullptr, "number of spheres"},
+        from_to(1, most_spheres), nullptr, "number of spheres"},
     Key{"system", "restitution", required, [](Case& c) -> Slot { return &c.system.restitution; },
         from_to(0, 1, "1 is elastic"), nullptr, "normal speed after a collision / before"},
-    Key{"system", "solids_volume_fraction", required,
-        [](Case& c) -> Slot { return &c.system.solids_volume_fraction; },
-        above_to(0, densest_packing, "spheres cannot be packed denser"), nullptr,
-        "volume of the spheres / volume of the box"},
+    Key{"system", "solids_volume_fraction", optional,
+        [](Case& c) -> Slot { return &c.system.solids_volume_fraction; }, above_to(0, 1),
+        &only_without_sides, "volume of the spheres / volume of the box"},
+    Key{"system", "sides", optional, [](Case& c) -> Slot { return &c.system.sides; },
+        above_to(1, longest_side), nullptr, "of the box [diameters]"},
+    Key{"system", "aspect_ratio", optional, [](Case& c) -> Slot { return &c.system.aspect_ratio; },
+        above_to(0.01, 100), &only_in_a_proportion, "side of the box along x / each other side"},
     Key{"start", "arrangement", required, [](Case& c) -> Slot { return &c.start.arrangement; }, any,
         nullptr, "how the spheres are placed"},
-    Key{"start", "granular_temperature", required,
+    Key{"start", "granular_temperature", optional,
         [](Case& c) -> Slot { return &c.start.granular_temperature; }, at_least(0), nullptr,
         "variance of each velocity component at the start [diameter^2/time^2]"},
     Key{"start", "seed", optional, [](Case& c) -> Slot { return &c.start.seed; }, at_least(0),
         nullptr, "of the random numbers"},
+    Key{"start", "positions", required, [](Case& c) -> Slot { return &c.start.positions; }, any,
+        &only_given, "one sphere a line [diameters]"},
+    Key{"start", "velocities", optional, [](Case& c) -> Slot { return &c.start.velocities; }, any,
+        &only_given, "one sphere a line, in the laboratory [diameters/time]"},
+    Key{"start", "file", required, [](Case& c) -> Slot { return &c.start.file; }, any,
+        &only_from_file, "extended XYZ or an output file: its last state"},
     Key{"drive", "kind", required, [](Case& c) -> Slot { return &c.drive.kind; }, any, nullptr,
         "what feeds energy to the spheres"},
     Key{"drive", "shear_rate", required, [](Case& c) -> Slot { return &c.drive.shear_rate; },
         at_least(0), &only_sheared, "gradient of the mean velocity [1/time]"},
+    Key{"drive", "noise_strength", required,
+        [](Case& c) -> Slot { return &c.drive.noise_strength; }, above(0), &only_kicked,
+        "variance of each velocity component gained per time [diameter^2/time^3]"},
+    Key{"drive", "kick_interval", required, [](Case& c) -> Slot { return &c.drive.kick_interval; },
+        above(0), &only_kicked, "time between kicks [time]"},
+    Key{"walls", "axis", with_table, [](Case& c) -> Slot { return &c.walls.axis; }, any, nullptr,
+        "normal of the two walls that replace the periodic boundary"},
+    Key{"walls", "restitution", with_table, [](Case& c) -> Slot { return &c.walls.restitution; },
+        from_to(0, 1, "1 is elastic"), &only_walled, "normal speed after a wall / before"},
+    Key{"walls", "tangential_restitution", optional,
+        [](Case& c) -> Slot { return &c.walls.tangential_restitution; },
+        from_to(-1, 1, "-1 is smooth"), &only_touched,
+        "- tangential speed against the wall after / before"},
+    Key{"walls", "lower_speed", optional, [](Case& c) -> Slot { return &c.walls.lower_speed; }, any,
+        &only_sliding, "of the lower wall, along x [diameters/time]"},
+    Key{"walls", "upper_speed", optional, [](Case& c) -> Slot { return &c.walls.upper_speed; }, any,
+        &only_sliding, "of the upper wall, along x [diameters/time]"},
+    Key{"gravity", "acceleration", with_table,
+        [](Case& c) -> Slot { return &c.gravity.acceleration; }, any, nullptr,
+        "of every sphere [diameters/time^2]"},
     Key{"collision", "overlap", optional, [](Case& c) -> Slot { return &c.collision.overlap; }, any,
         nullptr, "what is done with spheres that overlap by rounding while they approach"},
     Key{"collision", "guard", optional, [](Case& c) -> Slot { return &c.collision.guard; },
@@ -122,13 +181,13 @@ bool is_table(std::string_view name) {
 
 const Key* nearest_key(std::string_view table, std::string_view name) {
   std::vector<std::string_view> neighbours;
-  std::vector<std::string_view> names;  // no two tables share one
+  std::vector<std::string_view> names;
   for (const Key& key : key_table) {
     names.push_back(key.name);
     if (key.table == table) neighbours.push_back(key.name);
   }
-  auto meant = nearest(name, neighbours);
-  if (!meant) meant = nearest(name, names);
+  if (const auto neighbour = nearest(name, neighbours)) return key_named(table, *neighbour);
+  const auto meant = nearest(name, names);
   const auto is_it = [&](const Key& key) { return key.name == meant; };
   return meant ? &*std::find_if(key_table.begin(), key_table.end(), is_it) : nullptr;
 }

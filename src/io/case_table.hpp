@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "io/case.hpp"
 #include "io/case_entries.hpp"
@@ -29,13 +31,21 @@ struct Range {
 /// The member of a Case that a key fills.
 using Slot = std::variant<double*, int*, std::int64_t*, std::uint64_t*, bool*,
                           std::optional<double>*, std::optional<std::int64_t>*, Arrangement*,
-                          DriveKind*, OverlapRule*, Precision*, CollisionLog*>;
+                          DriveKind*, OverlapRule*, Precision*, CollisionLog*, std::optional<Axis>*,
+                          std::string*, std::vector<double>*, std::vector<std::vector<double>>*>;
 
-enum class Presence { required, optional };
+/// Most spheres whose positions a case file may write down: they make it 15 MB large.
+inline constexpr std::size_t most_written_spheres = 100'000;
 
-/// A key that exists only where another one has a certain value.
+enum class Presence {
+  required,
+  optional,
+  with_table,  ///< required where the table is there, even if it is empty
+};
+
+/// A key that exists only where others have certain values.
 struct Condition {
-  std::string_view depends_on;  ///< the other key
+  std::array<std::string_view, 2> depends_on;  ///< the other keys; the second may be empty
   bool (*holds)(const Case&);
   std::string_view text;  ///< `drive.kind = "shear"`
 };
@@ -46,7 +56,7 @@ struct Key {
   std::string_view name;
   Presence presence;
   Slot (*slot)(Case&);
-  Range range;                 ///< of numbers; words and booleans ignore it
+  Range range;                 ///< of every number; words and booleans ignore it
   const Condition* condition;  ///< null: the key always exists
   std::string_view meaning;    ///< with the unit in brackets; a comment in resolved files
 
@@ -71,12 +81,13 @@ std::optional<std::string_view> nearest_table(std::string_view name);
 
 /// Stores a value of the user in its member.
 ///
-/// Integers stand for real numbers, and real numbers without a fraction for integers.
+/// Integers stand for real numbers, real numbers without a fraction for integers, and a number for
+/// an array of one. How many numbers an array must have is not judged here.
 ///
 /// \return  why not, and what to do, as in `(must be in [0, 1]; 1 is elastic)`; nothing if stored
 std::optional<std::string> store(const Key& key, const Value& value, Case& values);
 
-/// The value as TOML writes it, or nothing if the key has none in this case.
-std::optional<std::string> toml_text(const Key& key, const Case& values);
+/// The value as TOML writes it, or nothing if the key has none in this case, which stays unchanged.
+std::optional<std::string> toml_text(const Key& key, Case& values);
 
 }  // namespace zenosphere::case_format

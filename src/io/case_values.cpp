@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "io/case_table.hpp"
 #include "io/spelling.hpp"
@@ -20,29 +21,27 @@ struct Word {
 template <class Choice>
 Word(const char*, Choice) -> Word<Choice>;  // clang 14 does not deduce it for an aggregate
 
-constexpr std::array arrangement_words{Word{"fcc", Arrangement::fcc},
-                                       Word{"random", Arrangement::random}};
-constexpr std::array drive_words{Word{"none", DriveKind::none}, Word{"shear", DriveKind::shear}};
+constexpr std::array arrangement_words{
+    Word{"fcc", Arrangement::fcc}, Word{"random", Arrangement::random},
+    Word{"given", Arrangement::given}, Word{"file", Arrangement::file}};
+constexpr std::array drive_words{Word{"none", DriveKind::none}, Word{"shear", DriveKind::shear},
+                                 Word{"random", DriveKind::random}};
+constexpr std::array axis_words{Word{"x", Axis::x}, Word{"y", Axis::y}, Word{"z", Axis::z}};
 constexpr std::array overlap_words{
     Word{"rewind", OverlapRule::rewind}, Word{"immediate", OverlapRule::immediate},
     Word{"guarded", OverlapRule::guarded}, Word{"stop", OverlapRule::stop}};
-constexpr std::array precision_words{Word{"double", Precision::double_precision}};
+constexpr std::array precision_words{
+    Word{"double", Precision::double_precision}, Word{"extended", Precision::extended},
+    Word{"quad", Precision::quad}, Word{"digits100", Precision::digits100}};
 constexpr std::array log_words{Word{"all", CollisionLog::all}, Word{"window", CollisionLog::window},
                                Word{"none", CollisionLog::none}};
 
 const auto& words_of(Arrangement) { return arrangement_words; }
 const auto& words_of(DriveKind) { return drive_words; }
+const auto& words_of(Axis) { return axis_words; }
 const auto& words_of(OverlapRule) { return overlap_words; }
 const auto& words_of(Precision) { return precision_words; }
 const auto& words_of(CollisionLog) { return log_words; }
-
-/// Words that are reserved: they mean something that this version cannot do.
-constexpr std::array<std::string_view, 3> later_precisions{"extended", "quad", "digits100"};
-template <class Choice>
-std::span<const std::string_view> later_words(Choice) {
-  return {};
-}
-std::span<const std::string_view> later_words(Precision) { return later_precisions; }
 
 /// Why a value cannot be stored; empty if it was.
 using Objection = std::optional<std::string>;
@@ -65,9 +64,6 @@ std::string choices_text() {
 template <class Choice>
 Objection no_such_word(const std::string& text) {
   const std::string choices = choices_text<Choice>();
-  for (const std::string_view later : later_words(Choice{})) {
-    if (later == text) return fmt::format("(not in this version yet); use {}", choices);
-  }
   std::vector<std::string_view> candidates;
   for (const auto& word : words_of(Choice{})) candidates.push_back(word.text);
   const auto meant = nearest(text, candidates);
@@ -94,6 +90,21 @@ Objection store_in(bool& slot, const Value& value, const Range&) {
   return std::nullopt;
 }
 
+Objection store_in(std::string& slot, const Value& value, const Range&) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text) return wrong_kind(value, "text");
+  if (text->empty()) return "(is empty)";
+  slot = *text;
+  return std::nullopt;
+}
+
+/// Why one number, alone or in an array, is wrong.
+Objection wrong_number(double number, const Range& range) {
+  if (!std::isfinite(number)) return "must be a finite number";
+  if (!range.contains(number)) return range.text();
+  return std::nullopt;
+}
+
 Objection store_in(double& slot, const Value& value, const Range& range) {
   double number = 0;
   if (const auto* integer = std::get_if<std::int64_t>(&value)) {
@@ -103,9 +114,71 @@ Objection store_in(double& slot, const Value& value, const Range& range) {
   } else {
     return wrong_kind(value, "a real number");
   }
-  if (!std::isfinite(number)) return "(must be a finite number)";
-  if (!range.contains(number)) return fmt::format("({})", range.text());
+  if (const auto wrong = wrong_number(number, range)) return fmt::format("({})", *wrong);
   slot = number;
+  return std::nullopt;
+}
+
+/// The array that the value is, or that the single number which it is stands for.
+std::optional<Array> array_in(const Value& value) {
+  if (const auto* array = std::get_if<Array>(&value)) return *array;
+  if (const auto* real = std::get_if<double>(&value)) return Array{{*real}};
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    return Array{{static_cast<double>(*integer)}};
+  }
+  return std::nullopt;
+}
+
+Objection store_in(std::vector<double>& slot, const Value& value, const Range& range) {
+  constexpr std::string_view needed = "an array of numbers";
+  const auto array = array_in(value);
+  if (!array || array->items.empty()) return wrong_kind(value, needed);
+  std::vector<double> numbers;
+  for (const Array::Item& item : array->items) {
+    const auto* number = std::get_if<double>(&item);
+    if (!number) return fmt::format("(found more than numbers in it, needs {})", needed);
+    if (const auto wrong = wrong_number(*number, range)) {
+      return fmt::format("({} in it {})", *number, *wrong);
+    }
+    numbers.push_back(*number);
+  }
+  slot = std::move(numbers);
+  return std::nullopt;
+}
+
+/// The components of one sphere, or why there are none.
+Objection store_sphere(std::vector<double>& row, const Array::Item& item) {
+  if (const auto* text = std::get_if<std::string>(&item)) {
+    return fmt::format("found {}, needs an array of numbers", *text);
+  }
+  const auto* number = std::get_if<double>(&item);
+  row = number ? std::vector{*number} : std::get<std::vector<double>>(item);
+  for (const double component : row) {
+    if (!std::isfinite(component)) {
+      return fmt::format("found {}, every component must be a finite number", component);
+    }
+  }
+  return std::nullopt;
+}
+
+Objection store_in(std::vector<std::vector<double>>& slot, const Value& value, const Range&) {
+  const auto* array = std::get_if<Array>(&value);
+  if (!array || array->items.empty()) {
+    return wrong_kind(value, "an array with an array of numbers for each sphere");
+  }
+  if (array->items.size() > most_written_spheres) {
+    return fmt::format(
+        "(has {} spheres, at most {} can be written); use start.arrangement = "
+        "\"file\"",
+        array->items.size(), most_written_spheres);
+  }
+  std::vector<std::vector<double>> rows(array->items.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (const auto wrong = store_sphere(rows[i], array->items[i])) {
+      return fmt::format("(sphere {}: {})", i, *wrong);
+    }
+  }
+  slot = std::move(rows);
   return std::nullopt;
 }
 
@@ -137,8 +210,25 @@ Objection store_in(std::optional<Held>& slot, const Value& value, const Range& r
   return objection;
 }
 
+std::optional<std::string> text_of(const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + real_text(number);
+  return '[' + text + ']';
+}
+
+std::optional<std::string> text_of(const std::vector<std::vector<double>>& rows) {
+  if (rows.empty()) return std::nullopt;
+  std::string text = "[\n";
+  for (const auto& row : rows) text += fmt::format("  {},\n", text_of(row).value_or("[]"));
+  return text + ']';
+}
+
 template <class Held>
 std::optional<std::string> text_of(const Held& held) {
+  if constexpr (std::is_same_v<Held, std::string>) {
+    return held.empty() ? std::nullopt : std::optional(quoted(held));
+  }
   if constexpr (std::is_same_v<Held, double>) return real_text(held);
   if constexpr (std::is_arithmetic_v<Held>) return fmt::format("{}", held);
   if constexpr (std::is_enum_v<Held>) {
@@ -161,10 +251,9 @@ std::optional<std::string> store(const Key& key, const Value& value, Case& value
   return std::visit(store_value, key.slot(values));
 }
 
-std::optional<std::string> toml_text(const Key& key, const Case& values) {
+std::optional<std::string> toml_text(const Key& key, Case& values) {
   if (!key.exists_in(values)) return std::nullopt;
-  Case copy = values;  // slots point into a case that may be changed
-  return std::visit([](const auto* slot) { return text_of(*slot); }, key.slot(copy));
+  return std::visit([](const auto* slot) { return text_of(*slot); }, key.slot(values));
 }
 
 }  // namespace zenosphere::case_format

@@ -3,25 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
-#include "engine/start.hpp"
+#include "io/case_box.hpp"
+#include "io/start_file.hpp"
+#include "model/instantiate.hpp"
 
 namespace zenosphere {
 namespace {
 
-// docs/file-format.md: position and velocity, 3 float64 each; k, time, i, j, gap, speed, flags.
-constexpr double bytes_per_sphere_and_snapshot = 2 * 3 * 8;
+// docs/file-format.md: position and velocity, D float64 each; k, time, i, j, gap, speed, flags.
+constexpr double bytes_per_component_and_snapshot = 2 * 8;
 constexpr double bytes_per_logged_collision = 8 + 8 + 4 + 4 + 8 + 8 + 1;
 
 /// Lines `label  value unit`, the values under one another.
 class Lines {
  public:
   void add(std::string_view label, double value, std::string_view unit = "") {
-    const std::string number = fmt::format("{:.8g}", value);
-    text_ += fmt::format("{:<30}{}{}{}\n", label, number, unit.empty() ? "" : " ", unit);
+    add(label, fmt::format("{:.8g}", value), unit);
+  }
+  void add(std::string_view label, const std::string& value, std::string_view unit) {
+    text_ += fmt::format("{:<30}{}{}{}\n", label, value, unit.empty() ? "" : " ", unit);
   }
   const std::string& text() const { return text_; }
 
@@ -29,23 +36,53 @@ class Lines {
   std::string text_;
 };
 
-void add_box(const Case& values, const ShearBox<3, double>& box, Lines& lines) {
-  lines.add("box side", box.sides()[0], "diameters");
+/// `12.5`, or `25 x 12.5 x 12.5` where the sides differ.
+template <int Dim>
+std::string lengths(const Vec<Dim, double>& of) {
+  std::string text = fmt::format("{:.8g}", of[0]);
+  std::string all = text;
+  for (int axis = 1; axis < Dim; ++axis) all += fmt::format(" x {:.8g}", of[axis]);
+  for (int axis = 1; axis < Dim; ++axis) {
+    if (of[axis] != of[0]) return all;
+  }
+  return text;
+}
+
+template <int Dim>
+void add_box(const Case& values, const ShearBox<Dim, double>& box, Lines& lines) {
+  constexpr std::array units{"per diameter", "per diameter^2", "per diameter^3"};
+  lines.add("box side", lengths(box.sides()), "diameters");
   lines.add("number density", static_cast<double>(values.system.spheres) / box.volume(),
-            "per diameter^3");
-  lines.add("layers", box.cells()[1]);
-  lines.add("cells", std::pow(box.cells()[1], 3));
-  lines.add("cell width", box.cell_width()[1], "diameters");
+            units[Dim - 1]);
+  if (!values.system.sides.empty()) lines.add("solids volume fraction", filled_fraction(values));
+  if constexpr (Dim > 1) lines.add("layers", box.cells()[1]);
+  double cells = 1;
+  for (const int count : box.cells()) cells *= count;
+  lines.add("cells", cells);
+  lines.add("cell width", lengths(box.cell_width()), "diameters");
+}
+
+/// Checks what the case gives, too.
+void add_given_start(const Case& values, Lines& lines) {
+  double square = 0;
+  for (const double component : given_start(values).velocities) square += component * component;
+  if (!values.start.granular_temperature) {
+    lines.add("kinetic energy at start", square / 2, "mass diameter^2/time^2");
+  }
 }
 
 void add_start(const Case& values, double side, Lines& lines) {
-  if (values.start.arrangement == Arrangement::fcc) {
+  const Arrangement arrangement = values.start.arrangement;
+  if (arrangement == Arrangement::fcc) {
     const double constant = side / std::cbrt(static_cast<double>(values.system.spheres) / 4);
     lines.add("lattice constant", constant, "diameters");
     lines.add("gap of lattice neighbours", constant / std::numbers::sqrt2 - 1, "diameters");
   }
-  lines.add("thermal speed at start", std::sqrt(values.start.granular_temperature),
-            "diameters/time");
+  const bool is_given = arrangement == Arrangement::given || arrangement == Arrangement::file;
+  if (is_given) add_given_start(values, lines);
+  if (const auto& temperature = values.start.granular_temperature) {
+    lines.add("thermal speed at start", std::sqrt(*temperature), "diameters/time");
+  }
 }
 
 void add_shear(const Case& values, double side, Lines& lines) {
@@ -55,6 +92,11 @@ void add_shear(const Case& values, double side, Lines& lines) {
   lines.add("speed across the box", rate * side, "diameters/time");
   if (values.run.time) lines.add("strain at run.time", rate * *values.run.time);
   lines.add("strain at measure.after_time", rate * values.measure.after_time);
+}
+
+void add_kicks(const Case& values, Lines& lines) {
+  if (values.drive.kind != DriveKind::random || !values.run.time) return;
+  lines.add("kicks until run.time", std::floor(*values.run.time / values.drive.kick_interval));
 }
 
 void add_run(const Case& values, Lines& lines) {
@@ -75,7 +117,8 @@ double most_logged(const Case& values) {
 void add_output(const Case& values, Lines& lines) {
   constexpr double mebibyte = 1024 * 1024;
   const auto spheres = static_cast<double>(values.system.spheres);
-  lines.add("one snapshot", spheres * bytes_per_sphere_and_snapshot / mebibyte, "MiB");
+  const double components = spheres * values.system.dimension;
+  lines.add("one snapshot", components * bytes_per_component_and_snapshot / mebibyte, "MiB");
   if (values.run.time && values.output.snapshot_interval) {
     const double between = std::floor(*values.run.time / *values.output.snapshot_interval);
     lines.add("snapshots", 2 + between, "at most");
@@ -86,29 +129,47 @@ void add_output(const Case& values, Lines& lines) {
   }
 }
 
-}  // namespace
-
 template <int Dim>
-ShearBox<Dim, double> box_of(const Case& values) {
-  const double side = box_side<Dim>(values.system.spheres, values.system.solids_volume_fraction);
-  Vec<Dim, double> sides;
-  for (int axis = 0; axis < Dim; ++axis) sides[axis] = side;
-  const double roomy = side / std::pow(2.0 * static_cast<double>(values.system.spheres), 1.0 / Dim);
-  const double shear_rate = values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0;
-  return {sides, shear_rate, std::max(1.0, roomy)};
-}
-
-template ShearBox<3, double> box_of<3>(const Case&);
-
-std::string derived_text(const Case& values) {
-  const ShearBox<3, double> box = box_of<3>(values);
+std::string text_in(const Case& values) {
+  const auto box = box_of<Dim, double>(values);
   Lines lines;
   add_box(values, box, lines);
   add_start(values, box.sides()[0], lines);
-  add_shear(values, box.sides()[0], lines);
+  if constexpr (Dim > 1) add_shear(values, box.sides()[1], lines);
+  add_kicks(values, lines);
   add_run(values, lines);
   add_output(values, lines);
   return lines.text();
+}
+
+}  // namespace
+
+template <int Dim, class Real>
+ShearBox<Dim, Real> box_of(const Case& values) {
+  const std::vector<double> sides = box_sides(values);
+  assert(sides.size() == Dim);
+  const bool is_given = !values.system.sides.empty();
+  Vec<Dim, Real> real_sides;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double side = sides[static_cast<std::size_t>(axis)];
+    real_sides[axis] = is_given ? from_decimal<Real>(side) : Real(side);
+  }
+  const double roomy =
+      mean_side(values) / std::pow(2.0 * static_cast<double>(values.system.spheres), 1.0 / Dim);
+  const double shear_rate = values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0;
+  return {real_sides, from_decimal<Real>(shear_rate), Real(std::max(1.0, roomy)),
+          closed_axis(values)};
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real) \
+  template ShearBox<Dim, Real> box_of<Dim, Real>(const Case&);
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+std::string derived_text(const Case& values) {
+  if (values.system.dimension == 1) return text_in<1>(values);
+  if (values.system.dimension == 2) return text_in<2>(values);
+  return text_in<3>(values);
 }
 
 }  // namespace zenosphere

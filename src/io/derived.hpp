@@ -7,15 +7,18 @@
 
 namespace zenosphere {
 
-/// The cubic box of a case, cut into cells.
+/// The box of a case in the precision of Real, cut into cells; closed along the axis of its walls.
 ///
 /// A dilute box gets wider cells, about two for each sphere, which keeps memory and crossings in
 /// bounds. Throws std::invalid_argument where the box is too narrow; no checked case is.
-template <int Dim>
-ShearBox<Dim, double> box_of(const Case& values);
+template <int Dim, class Real>
+ShearBox<Dim, Real> box_of(const Case& values);
 
 /// What follows exactly from a case, as aligned lines for people: box, density, cells, start,
 /// shear, size of the output.
+///
+/// Throws InputError, as given_start does, where positions or velocities that the case gives are
+/// wrong.
 std::string derived_text(const Case& values);
 
 }  // namespace zenosphere

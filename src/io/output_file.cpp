@@ -81,7 +81,8 @@ class Trajectory {
     const Handle box = hdf5::created_group(group, "box");
     hdf5::created_group(box, "edges");
     hdf5::write_attribute(box, "dimension", std::int64_t{header.dimension});
-    hdf5::write_attribute(box, "boundary", std::vector<std::string>(header.dimension, "periodic"));
+    const std::vector<std::string> periodic(static_cast<std::size_t>(header.dimension), "periodic");
+    hdf5::write_attribute(box, "boundary", header.boundary.empty() ? periodic : header.boundary);
     return group;
   }
 

@@ -53,6 +53,7 @@ class OutputFile {
     std::string resolved_case;  ///< TOML, every key with the value used
     int dimension = 0;
     std::int64_t spheres = 0;
+    std::vector<std::string> boundary{};  ///< D words, "periodic" or "none"; empty: periodic
   };
   enum class Existing { refuse, replace };
 

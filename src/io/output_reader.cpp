@@ -93,6 +93,29 @@ void read_end(const Handle& file, OutputInfo& info) {
   }
 }
 
+void require_shape(const fs::path& path, const OutputInfo& info, int dimension,
+                   std::int64_t spheres) {
+  if (info.snapshots < 1) reject(path, "holds no snapshot (its run was ended too early)");
+  if (info.dimension != dimension) {
+    reject(path, fmt::format("has {} dimensions (system.dimension = {}); make them equal",
+                             info.dimension, dimension));
+  }
+  if (info.spheres == spheres) return;
+  reject(path, fmt::format("has {} spheres (system.spheres = {}); make them equal", info.spheres,
+                           spheres));
+}
+
+/// The last row of a dataset that has one row of `row_shape` for each snapshot.
+std::vector<double> last_row(const Handle& file, const std::string& path,
+                             const std::vector<std::int64_t>& row_shape, std::int64_t snapshots) {
+  std::vector<std::int64_t> needed{snapshots};
+  needed.insert(needed.end(), row_shape.begin(), row_shape.end());
+  if (hdf5::shape(file, path) != needed) throw hdf5::Error(path + " has another shape");
+  std::vector<double> row(static_cast<std::size_t>(row_shape[0] * row_shape[1]));
+  hdf5::read_rows(hdf5::opened(file, path), hdf5::Type::float64, snapshots - 1, 1, row.data());
+  return row;
+}
+
 }  // namespace
 
 OutputInfo read_output_info(const fs::path& path) {
@@ -107,6 +130,27 @@ OutputInfo read_output_info(const fs::path& path) {
     read_extents(file, info);
     read_end(file, info);
     return info;
+  } catch (const hdf5::Error& error) {
+    reject(path, fmt::format("cannot be read ({}); it may be damaged", error.what()));
+  }
+}
+
+bool is_hdf5_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) && hdf5::is_hdf5(path);
+}
+
+LastSnapshot read_last_snapshot(const fs::path& path, int dimension, std::int64_t spheres) {
+  const OutputInfo info = read_output_info(path);
+  require_shape(path, info, dimension, spheres);
+  try {
+    const Handle file = opened_output(path);
+    const std::string group = "particles/spheres/";
+    const std::int64_t rows = info.snapshots;
+    return {dimension, spheres,
+            last_row(file, group + "position/value", {spheres, dimension}, rows),
+            last_row(file, group + "velocity/value", {spheres, dimension}, rows),
+            last_row(file, group + "box/edges/value", {dimension, dimension}, rows)};
   } catch (const hdf5::Error& error) {
     reject(path, fmt::format("cannot be read ({}); it may be damaged", error.what()));
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace zenosphere {
 
@@ -27,10 +28,29 @@ struct OutputInfo {
   double last_time = 0;             ///< its time
 };
 
+/// The last state that an output file holds, in laboratory coordinates and row-major.
+struct LastSnapshot {
+  int dimension = 0;
+  std::int64_t spheres = 0;
+  std::vector<double> positions;   ///< N x D, diameters
+  std::vector<double> velocities;  ///< N x D, diameters/time
+  std::vector<double> box_edges;   ///< D x D, diameters; the rows are the box vectors
+};
+
 /// Reads an output file, of a finished, an interrupted or a running run.
 ///
 /// Throws InputError where there is no file, it is not HDF5, not of this program, of a newer
 /// format, or damaged.
 OutputInfo read_output_info(const std::filesystem::path& path);
+
+/// Whether there is a file that begins as HDF5 files do.
+bool is_hdf5_file(const std::filesystem::path& path);
+
+/// Reads the last snapshot of an output file, if it has the shape that the caller needs.
+///
+/// Throws InputError as read_output_info does, and where the file holds no snapshot or one of
+/// another number of spheres or dimensions.
+LastSnapshot read_last_snapshot(const std::filesystem::path& path, int dimension,
+                                std::int64_t spheres);
 
 }  // namespace zenosphere

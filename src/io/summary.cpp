@@ -42,7 +42,9 @@ Json arrest(const Summary::Arrest& arrest) {
           {"collision", or_null(arrest.collision)},
           {"time", or_null(arrest.time)},
           {"window", arrest.window},
-          {"pairs", pairs}};
+          {"pairs", pairs},
+          {"extrapolated_time", or_null(arrest.extrapolated_time)},
+          {"flight_ratio", or_null(arrest.flight_ratio)}};
 }
 
 /// The keys of `averages`, each null where nothing was averaged.
@@ -59,7 +61,9 @@ Json averages(const std::optional<Averages>& averages, int dimension) {
       {"from_time", a.from_time},
       {"to_time", a.to_time},
       {"shear_work", a.shear_work},
-      {"normal_speed", a.normal_speed}};
+      {"normal_speed", a.normal_speed},
+      {"other_work", a.other_work},
+      {"wall_pressure", a.wall_pressure}};
   if (!averages) {
     for (auto& value : result) value = nullptr;
   }
@@ -128,10 +132,16 @@ std::string arrest_text(const Summary::Arrest& arrest) {
                      arrest.collision.value_or(0), arrest.time.value_or(0), arrest.window);
 }
 
+std::string series_text(const Summary::Arrest& arrest) {
+  return fmt::format("{:.15g}, where flights shrink by {:.6g} from one to the next",
+                     arrest.extrapolated_time.value_or(0), arrest.flight_ratio.value_or(0));
+}
+
 std::string criteria_lines(const Summary& s) {
   return line("separation criterion", separation_text(s.separation)) +
          line("arrest criterion", arrest_text(s.arrest)) +
          (s.arrest.met ? line("arrested pairs", pairs_text(s.arrest.pairs)) : "") +
+         (s.arrest.extrapolated_time ? line("collapse time", series_text(s.arrest)) : "") +
          line("odd collisions",
               fmt::format("{} absorbed, {} overlapping, {} receding; {} overlaps ignored",
                           s.absorbed, s.overlap_collisions, s.receding, s.overlaps_ignored));
@@ -157,6 +167,12 @@ std::string average_lines(const Averages& a, std::size_t dimension) {
   text += line("normal speed", with_unit(a.normal_speed, "diameter/time"));
   text += line("dissipation", with_unit(a.dissipation, "per volume and time"));
   text += line("shear work", with_unit(a.shear_work, "per volume and time"));
+  if (a.other_work != 0) {
+    text += line("other work", with_unit(a.other_work, "per volume and time"));
+  }
+  if (!a.wall_pressure.empty()) {
+    text += line("wall pressure", row_text(a.wall_pressure, 0, a.wall_pressure.size()));
+  }
   return text;
 }
 

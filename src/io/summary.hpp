@@ -36,6 +36,8 @@ struct Summary {
     std::optional<double> time;
     std::int64_t window = 0;
     std::vector<std::pair<std::int64_t, std::int64_t>> pairs;
+    std::optional<double> extrapolated_time;  ///< end of a geometric series of flights, if one
+    std::optional<double> flight_ratio;       ///< its ratio
   } arrest;
 
   std::int64_t absorbed = 0;            ///< collisions that changed no bit of any velocity

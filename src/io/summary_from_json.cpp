@@ -43,6 +43,8 @@ std::optional<Averages> averages(const Json& json) {
   read(json, "to_time", averages.to_time);
   read(json, "shear_work", averages.shear_work);
   read(json, "normal_speed", averages.normal_speed);
+  read(json, "other_work", averages.other_work);
+  read(json, "wall_pressure", averages.wall_pressure);
   return averages;
 }
 
@@ -59,6 +61,8 @@ void read_collapse(const Json& json, Summary& summary) {
   read(arrest, "time", summary.arrest.time);
   read(arrest, "window", summary.arrest.window);
   read(arrest, "pairs", summary.arrest.pairs);
+  read(arrest, "extrapolated_time", summary.arrest.extrapolated_time);
+  read(arrest, "flight_ratio", summary.arrest.flight_ratio);
 }
 
 Summary summary_of(const Json& json) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace zenosphere {
@@ -28,6 +29,16 @@ Real elapsed(const Instant<Real>& earlier, const Instant<Real>& later, const Rea
 template <class Real>
 double since_start(const Instant<Real>& instant, const Real& unit) {
   return static_cast<double>(static_cast<Real>(instant.units) * unit + instant.remainder);
+}
+
+/// The instant at a time since the start; times beyond the reach of the counter become its end.
+template <class Real>
+Instant<Real> instant_at(double time, const Real& unit) {
+  using std::floor;
+  const double most_units = 9e18;  // fits std::int64_t
+  const Real units = floor(static_cast<Real>(Real(time) / unit));
+  if (units > Real(most_units)) return {static_cast<std::int64_t>(most_units), 0};
+  return {static_cast<std::int64_t>(units), Real(time) - units * unit};
 }
 
 }  // namespace zenosphere

@@ -14,9 +14,10 @@ struct Collision {
   Instant<Real> time;
   Real flight = 0;  ///< time since the collision before (since the start); <= 0 by rounding
   std::int32_t i = 0;
-  std::int32_t j = 0;
+  std::int32_t j = 0;  ///< > i; the number of spheres and one more stand for the two walls
   Impact<Dim, Real> impact;
-  Real gap_before = 0;       ///< of this pair when the collision before was done, diameters
+  Vec<Dim, Real> change;  ///< of the velocity of i; that of a sphere j is the opposite
+  Real gap_before = 0;    ///< of this pair at the collision before (or the kick, if one came since)
   bool overlapping = false;  ///< the overlap rule gave the time
   bool absorbed = false;     ///< no bit of any velocity has changed
 };

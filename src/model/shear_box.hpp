@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "model/vec.hpp"
@@ -32,18 +33,22 @@ class ShearBox {
   /// \param sides       lengths of the box, > 2 diameters each
   /// \param shear_rate  1/time, >= 0; zero in one dimension
   /// \param least_width width that no cell goes below, diameters; >= 1
+  /// \param closed_axis the axis that ends at walls instead of being periodic, or none
   /// Throws std::invalid_argument where a sphere could meet two images of another at once.
-  ShearBox(const Vec<Dim, Real>& sides, const Real& shear_rate, const Real& least_width = 1)
-      : sides_(sides), shear_rate_(shear_rate) {
+  ShearBox(const Vec<Dim, Real>& sides, const Real& shear_rate, const Real& least_width = 1,
+           std::optional<int> closed_axis = std::nullopt)
+      : sides_(sides), shear_rate_(shear_rate), closed_axis_(closed_axis) {
     using std::floor;
     for (int axis = 0; axis < Dim; ++axis) {
       // A cell is a little wider than a sphere, so that rounding at its faces hides no neighbour.
       const Real margin = 1e-9;
-      if (!(sides[axis] > 2 * (1 + margin))) throw std::invalid_argument("box under two diameters");
+      const int least = is_closed(axis) ? 1 : 2;
+      if (!(sides[axis] > least * (1 + margin))) throw std::invalid_argument("box too narrow");
       const Real fitting = floor(static_cast<Real>(sides[axis] / (least_width * (1 + margin))));
-      const int cells = fitting > 2 ? static_cast<int>(fitting) : 2;
-      cells_[static_cast<std::size_t>(axis)] = cells;
+      const int cells = fitting > least ? static_cast<int>(fitting) : least;
       cell_width_[axis] = sides[axis] / cells;
+      // Beyond a wall lies a layer of cells that stays empty: nobody meets across it.
+      cells_[static_cast<std::size_t>(axis)] = is_closed(axis) ? cells + 1 : cells;
     }
     if constexpr (Dim > 1) slide_speed_ = shear_rate * cell_width_[1];
     clock_unit_ = is_sheared() ? Real(cell_width_[0] / slide_speed_) : Real(1);
@@ -52,8 +57,16 @@ class ShearBox {
   const Vec<Dim, Real>& sides() const { return sides_; }
   const Vec<Dim, Real>& cell_width() const { return cell_width_; }
   const Steps<Dim>& cells() const { return cells_; }
+  bool is_closed(int axis) const { return closed_axis_ == axis; }
+  std::optional<int> closed_axis() const { return closed_axis_; }
   const Real& shear_rate() const { return shear_rate_; }
   bool is_sheared() const { return slide_speed_ > 0; }
+
+  /// The imposed velocity along x at a place, diameters/time; the middle of the box is at rest.
+  Real profile(const Vec<Dim, Real>& position) const {
+    if constexpr (Dim == 1) return 0;
+    return shear_rate_ * (position[Dim > 1 ? 1 : 0] - sides_[Dim > 1 ? 1 : 0] / 2);
+  }
 
   /// Speed of a layer in the frame of the layer below it, diameters/time.
   const Real& slide_speed() const { return slide_speed_; }
@@ -87,6 +100,7 @@ class ShearBox {
   Vec<Dim, Real> cell_width_;
   Steps<Dim> cells_{};
   Real shear_rate_;
+  std::optional<int> closed_axis_;
   Real slide_speed_ = 0;
   Real clock_unit_ = 1;
 };

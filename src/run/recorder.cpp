@@ -89,9 +89,7 @@ Snapshot Recorder<Dim, Real>::snapshot(const Simulation<Dim, Real>& simulation) 
   const Configuration<Dim, Real> state = simulation.configuration();
   for (std::size_t i = 0; i < state.positions.size(); ++i) {
     auto velocity = state.velocities[i];
-    if constexpr (Dim > 1) {
-      velocity[0] += box.shear_rate() * (state.positions[i][1] - box.sides()[1] / 2);
-    }
+    velocity[0] += box.profile(state.positions[i]);
     for (int axis = 0; axis < Dim; ++axis) {
       snapshot.positions.push_back(static_cast<double>(state.positions[i][axis]));
       snapshot.velocities.push_back(static_cast<double>(velocity[axis]));

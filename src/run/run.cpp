@@ -4,36 +4,31 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "collapse/arrest_criterion.hpp"
+#include "collapse/collapse_time.hpp"
 #include "collapse/separation_criterion.hpp"
 #include "collapse/verdict.hpp"
-#include "engine/start.hpp"
 #include "flow/measurements.hpp"
 #include "io/case_file.hpp"
 #include "io/derived.hpp"
-#include "model/errors.hpp"
+#include "model/real.hpp"
+#include "run/random_driving.hpp"
 #include "run/recorder.hpp"
+#include "run/setup.hpp"
 #include "run/stopwatch.hpp"
 
 namespace zenosphere {
 
 namespace {
 
-template <int Dim>
-Configuration<Dim, double> start_of(const Case& values, const ShearBox<Dim, double>& box) {
-  try {
-    return make_start<Dim>({.arrangement = values.start.arrangement,
-                            .spheres = static_cast<std::int32_t>(values.system.spheres),
-                            .granular_temperature = values.start.granular_temperature,
-                            .seed = values.start.seed},
-                           box.sides()[0]);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(std::string("start: ") + error.what() +
-                     "; lower system.solids_volume_fraction or choose another start");
-  }
+std::vector<std::string> boundary_words(int dimension, std::optional<int> closed_axis) {
+  std::vector<std::string> words(static_cast<std::size_t>(dimension), "periodic");
+  if (closed_axis) words[static_cast<std::size_t>(*closed_axis)] = "none";
+  return words;
 }
 
 /// One run: the simulation and everything that observes it.
@@ -43,17 +38,21 @@ class Run {
   Run(const Case& values, const RunOptions& options)
       : values_(values),
         options_(options),
-        box_(box_of<Dim>(values)),
-        simulation_(box_, start_of<Dim>(values, box_),
-                    {values.system.restitution, values.collision.overlap, values.collision.guard}),
+        box_(box_of<Dim, Real>(values)),
+        simulation_(box_, start_of<Dim, Real>(values, box_),
+                    {from_decimal<Real>(values.system.restitution), values.collision.overlap,
+                     from_decimal<Real>(values.collision.guard)},
+                    surroundings_of<Dim, Real>(values)),
+        driving_(values),
         separation_(values.collapse.gap_threshold, box_.clock_unit()),
         arrest_(values.collapse.gap_threshold, values.collapse.window, box_.clock_unit()),
+        collapse_time_(box_.clock_unit()),
         measurements_(simulation_, values.measure.after_time) {
     if (!options.output) return;
-    file_.emplace(
-        *options.output,
-        OutputFile::Header{values.text, resolved_toml(values), Dim, values.system.spheres},
-        options.existing);
+    file_.emplace(*options.output,
+                  OutputFile::Header{values.text, resolved_toml(values), Dim, values.system.spheres,
+                                     boundary_words(Dim, box_.closed_axis())},
+                  options.existing);
     recorder_.emplace(values, simulation_, *file_);
     file_->flush();  // whatever happens now, the start is kept
   }
@@ -63,13 +62,14 @@ class Run {
       if (const auto collision = simulation_.next_collision(next_pause())) {
         separation_.observe(*collision);
         arrest_.observe(*collision);
+        collapse_time_.observe(*collision);
         measurements_.observe(*collision, simulation_);
         if (recorder_) recorder_->observe(*collision);
         absorbed_ += collision->absorbed;
         overlapping_ += collision->overlapping;
         receding_ += !(collision->impact.normal_speed > 0);
-      } else if (recorder_ && simulation_.has_reached(recorder_->next_snapshot())) {
-        recorder_->take_snapshot(simulation_);
+      } else {
+        pause();
       }
       attend_to_the_clock();
     }
@@ -93,19 +93,33 @@ class Run {
       ended_by_ = "arrest";
     } else if (simulation_.stopped_before()) {
       ended_by_ = "overlap";
-    } else if (simulation_.is_at_rest()) {
+    } else if (simulation_.is_at_rest() && !driving_.is_on()) {
       ended_by_ = "at rest";
     } else if (limits.collisions && simulation_.collisions() >= *limits.collisions) {
       ended_by_ = "collisions";
-    } else if (limits.time && simulation_.has_reached(*limits.time)) {
+    } else if (simulation_.has_reached(end_of_time())) {
       ended_by_ = "time";
     }
     return !ended_by_.empty();
   }
 
+  /// Where the case sets none, the end of the clock: a gas that has all but stopped gets there.
+  double end_of_time() const {
+    return values_.run.time.value_or(std::numeric_limits<double>::max());
+  }
+
   double next_pause() const {
-    const double end = values_.run.time.value_or(std::numeric_limits<double>::max());
-    return recorder_ ? std::min(end, recorder_->next_snapshot()) : end;
+    const double next = std::min(end_of_time(), driving_.next_kick());
+    return recorder_ ? std::min(next, recorder_->next_snapshot()) : next;
+  }
+
+  /// Does what is due at this time without a collision.
+  void pause() {
+    if (simulation_.is_at_rest()) simulation_.rest_until(next_pause());
+    if (recorder_ && simulation_.has_reached(recorder_->next_snapshot())) {
+      recorder_->take_snapshot(simulation_);
+    }
+    if (simulation_.has_reached(driving_.next_kick())) driving_.kick(simulation_, measurements_);
   }
 
   /// Now and then shows the progress, and makes sure that a killed run loses little.
@@ -132,10 +146,12 @@ class Run {
                       .done = 0,
                       .wall_seconds = stopwatch_.seconds()};
     if (const auto& limit = values_.run.collisions) {
-      progress.done = static_cast<double>(progress.collisions) / static_cast<double>(*limit);
+      if (*limit > 0) {
+        progress.done = static_cast<double>(progress.collisions) / static_cast<double>(*limit);
+      }
     }
     if (const auto& limit = values_.run.time) {
-      progress.done = std::max(progress.done, progress.time / *limit);
+      if (*limit > 0) progress.done = std::max(progress.done, progress.time / *limit);
     }
     return progress;
   }
@@ -169,7 +185,9 @@ class Run {
                                    arrest_.is_met(), arrest_.window()));
     summary.separation = {separation_.hits(), separation_.first_collision(),
                           separation_.first_time(), separation_.last_collision()};
-    summary.arrest = {arrest_.is_met(), arrest_.collision(), arrest_.time(), arrest_.window(), {}};
+    summary.arrest = {
+        arrest_.is_met(),      arrest_.collision(),   arrest_.time(), arrest_.window(), {},
+        collapse_time_.time(), collapse_time_.ratio()};
     for (const auto& [i, j] : arrest_.pairs()) summary.arrest.pairs.emplace_back(i, j);
   }
 
@@ -183,8 +201,10 @@ class Run {
   RunOptions options_;
   ShearBox<Dim, Real> box_;
   Simulation<Dim, Real> simulation_;
+  RandomDriving<Dim, Real> driving_;
   SeparationCriterion<Dim, Real> separation_;
   ArrestCriterion<Dim, Real> arrest_;
+  CollapseTime<Dim, Real> collapse_time_;
   Measurements<Dim, Real> measurements_;
   std::optional<OutputFile> file_;
   std::optional<Recorder<Dim, Real>> recorder_;
@@ -198,11 +218,33 @@ class Run {
   double next_flush_ = 30;
 };
 
+template <class Real>
+Summary run_in(const Case& values, const RunOptions& options) {
+  switch (values.system.dimension) {
+    case 1:
+      return Run<1, Real>(values, options).go();
+    case 2:
+      return Run<2, Real>(values, options).go();
+    default:
+      return Run<3, Real>(values, options).go();
+  }
+}
+
 }  // namespace
 
 Summary run_case(const Case& values, const RunOptions& options) {
   if (options.output) OutputFile::check_target(*options.output, options.existing);
-  return Run<3, double>(values, options).go();
+  switch (values.collision.precision) {
+    case Precision::extended:
+      return run_in<Extended>(values, options);
+    case Precision::quad:
+      return run_in<Quad>(values, options);
+    case Precision::digits100:
+      return run_in<Digits100>(values, options);
+    case Precision::double_precision:
+      break;
+  }
+  return run_in<double>(values, options);
 }
 
 }  // namespace zenosphere

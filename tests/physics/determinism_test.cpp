@@ -30,8 +30,8 @@ std::vector<std::int64_t> bits(const Record& record) {
 
 Gas fresh_gas() {
   const double side = box_side<3>(100, 0.3);
-  return Gas(Box({side, side, side}, 1), make_start<3>({Arrangement::random, 100, 1, 11}, side),
-             {0.8});
+  return Gas(Box({side, side, side}, 1),
+             make_start<3>({Arrangement::random, 100, 1, 11}, support::cube(side)), {0.8});
 }
 
 TEST(Determinism, TheSameStartGivesTheSameRecordsBitForBit) {

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "engine/simulation.hpp"
 #include "engine/start.hpp"
+#include "support/gas.hpp"
 
 namespace zenosphere {
 namespace {
@@ -26,7 +28,7 @@ TEST(CoolingGas, TemperatureFollowsHaffsLawForEightCollisionsPerSphere) {
                                     .spheres = spheres,
                                     .granular_temperature = 1,
                                     .seed = 7},
-                                   side);
+                                   support::cube(side));
   Simulation<3, double> gas(ShearBox<3, double>({side, side, side}, 0), start, {0.9});
   for (const double per_sphere : {2.0, 4.0, 6.0, 8.0}) {
     while (2.0 * static_cast<double>(gas.collisions()) < per_sphere * spheres) {

@@ -23,7 +23,8 @@ struct Setting {
 
 Setting lattice_gas(std::int32_t spheres) {
   const double side = box_side<3>(spheres, 0.3);
-  return {{side, side, side}, make_start<3>({Arrangement::fcc, spheres, 1, 5}, side)};
+  return {{side, side, side},
+          make_start<3>({Arrangement::fcc, spheres, 1, 5}, support::cube(side))};
 }
 
 TEST(Identities, PeculiarMomentumIsConservedUnderShear) {

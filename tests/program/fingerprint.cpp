@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "engine/simulation.hpp"
 #include "engine/start.hpp"
 #include "flow/measurements.hpp"
 
@@ -27,7 +28,8 @@ class Fingerprint {
 std::uint64_t fingerprint_of(Arrangement arrangement, double restitution) {
   const double side = box_side<3>(500, 0.3);
   const auto start = make_start<3>(
-      {.arrangement = arrangement, .spheres = 500, .granular_temperature = 0.1, .seed = 3}, side);
+      {.arrangement = arrangement, .spheres = 500, .granular_temperature = 0.1, .seed = 3},
+      ShearBox<3, double>({side, side, side}, 0));
   Simulation<3, double> simulation(ShearBox<3, double>({side, side, side}, 1), start,
                                    {restitution});
   Measurements<3, double> measurements(simulation, 0);

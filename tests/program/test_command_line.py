@@ -70,7 +70,7 @@ def test_check_tells_every_value_used(program):
     text = program("check", "case.toml", "--set", "system.restitution=0.5").stdout
     values = tomllib.loads(resolved_part(text))
     assert values["system"] == {"dimension": 3, "spheres": 108, "restitution": 0.5,
-                                "solids_volume_fraction": 0.3}
+                                "solids_volume_fraction": 0.3, "aspect_ratio": 1}
     assert values["collision"]["overlap"] == "rewind"
     assert values["collision"]["precision"] == "double"
     assert values["collapse"] == {"gap_threshold": 1e-16, "window": 1000,

@@ -54,7 +54,7 @@ def test_all_problems_of_a_case_are_told_in_the_order_of_its_lines(program):
     ("system.restitution=1.2", ["1.2", "[0, 1]"]),
     ("system.restituton=0.2", ["unknown", "did you mean restitution?"]),
     ("collision.overlap=rewnd", ['"rewnd"', '"rewind"']),
-    ("collision.precision=quad", ['"quad"', '"double"']),
+    ("collision.precision=half", ['"half"', '"double"']),
     ("system.spheres=4", ["system.spheres", "box side", "2"]),
     ("run.time=-1", ["run.time", "-1"]),
     ("nonsense", ["KEY=VALUE"]),

@@ -58,7 +58,7 @@ def test_example_is_a_right_case(program, example):
 def test_example_runs(program, example):
     done = program("run", str(example), "--json", "-o", "out.h5", *SHORT)
     summary = json.loads(done.stdout)
-    assert summary["collisions"] == 2000 and summary["ledger_error"] < 1e-10
+    assert 0 < summary["collisions"] <= 2000 and summary["ledger_error"] < 1e-10
     assert program("info", "out.h5").stdout
 
 

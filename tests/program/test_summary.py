@@ -58,7 +58,7 @@ def test_run_without_hits_has_nulls_where_nothing_was_met(program):
     assert summary["separation"] == {"hits": 0, "first_collision": None, "first_time": None,
                                      "last_collision": None}
     assert summary["arrest"] == {"met": False, "collision": None, "time": None, "window": 1000,
-                                 "pairs": []}
+                                 "pairs": [], "extrapolated_time": None, "flight_ratio": None}
 
 
 def test_collapsed_run_tells_when_and_which_pairs(collapsed):

@@ -15,6 +15,9 @@ using State = Configuration<3, double>;
 using Gas = Simulation<3, double>;
 using Record = Collision<3, double>;
 
+/// A periodic cube without shear.
+inline Box cube(double side) { return Box({side, side, side}, 0); }
+
 /// Random numbers for tests, apart from those of the engine.
 class Dice {
  public:

@@ -13,12 +13,22 @@ namespace zenosphere {
 namespace {
 
 using Cells = SlidingCells<3>;
+
+/// The single steps that the rows of a stencil stand for.
+std::vector<Steps<3>> ways(const Cells::Stencil& stencil) {
+  std::vector<Steps<3>> all;
+  for (const Cells::Row& row : stencil) {
+    Steps<3> steps = row.steps;
+    for (steps[0] = row.from; steps[0] <= row.to; ++steps[0]) all.push_back(steps);
+  }
+  return all;
+}
 using support::Vector;
 
 const std::vector<Steps<3>> kShapes{{2, 2, 2}, {3, 3, 3}, {4, 4, 4}, {2, 4, 3},
                                     {4, 2, 2}, {3, 2, 5}, {5, 3, 2}, {5, 6, 4}};
 
-bool contains(const Cells::Stencil& stencil, const Steps<3>& steps) {
+bool contains(const std::vector<Steps<3>>& stencil, const Steps<3>& steps) {
   return std::find(stencil.begin(), stencil.end(), steps) != stencil.end();
 }
 
@@ -62,7 +72,7 @@ std::vector<Vector> near_images(const Cells& cells, const Steps<3>& shape, const
 int times_seen(const Cells& cells, const Place& a, const Place& b, const Vector& way,
                double fraction) {
   int seen = 0;
-  for (const Steps<3>& steps : cells.neighbourhood()) {
+  for (const Steps<3>& steps : ways(cells.neighbourhood())) {
     const auto neighbour = cells.neighbour(a.cell, steps);
     if (neighbour.cell != b.cell) continue;
     Vector dr = b.in_layer - a.in_layer;
@@ -110,8 +120,8 @@ TEST(SlidingCells, NeighbourhoodWithoutSlidingHoldsEverySphereWithinReachOnce) {
 
 TEST(SlidingCells, NeighbourhoodHasThreeCellsOfTheOwnRowsAndFourOfTheAdjacent) {
   // Three rows along z in each of three layers: 3 x 3 + 2 x 3 x 4 = 33; without sliding 27.
-  EXPECT_EQ(Cells({5, 5, 5}, true, 1).neighbourhood().size(), 33u);
-  EXPECT_EQ(Cells({5, 5, 5}, false, 1).neighbourhood().size(), 27u);
+  EXPECT_EQ(ways(Cells({5, 5, 5}, true, 1).neighbourhood()).size(), 33u);
+  EXPECT_EQ(ways(Cells({5, 5, 5}, false, 1).neighbourhood()).size(), 27u);
 }
 
 TEST(SlidingCells, NeighbourOfALayerThatSlidToTheRightIsFurtherLeft) {
@@ -185,20 +195,20 @@ TEST(SlidingCells, NewAfterCrossingHoldsAllThatWasNotSeenBefore) {
     const Cells cells({7, 7, 7}, sliding, 1);
     for (const int axis : {0, 1, 2}) {
       for (const int direction : {-1, 1}) {
-        const auto& found = cells.new_after_crossing(axis, direction);
+        const auto found = ways(cells.new_after_crossing(axis, direction));
         for (const Steps<3>& way : crossings(axis, direction, sliding)) {
-          for (const Steps<3>& steps : cells.neighbourhood()) {
+          for (const Steps<3>& steps : ways(cells.neighbourhood())) {
             // Seen from the cell before the crossing, the ways add up.
             const Steps<3> before{way[0] + steps[0], way[1] + steps[1], way[2] + steps[2]};
-            if (!contains(cells.neighbourhood(), before)) {
+            if (!contains(ways(cells.neighbourhood()), before)) {
               EXPECT_TRUE(contains(found, steps)) << axis << ' ' << steps[0] << ' ' << steps[1];
             }
           }
         }
         for (const Steps<3>& steps : found) {
-          EXPECT_TRUE(contains(cells.neighbourhood(), steps));
+          EXPECT_TRUE(contains(ways(cells.neighbourhood()), steps));
         }
-        EXPECT_LT(found.size(), cells.neighbourhood().size());
+        EXPECT_LT(found.size(), ways(cells.neighbourhood()).size());
       }
     }
   }
@@ -207,11 +217,11 @@ TEST(SlidingCells, NewAfterCrossingHoldsAllThatWasNotSeenBefore) {
 TEST(SlidingCells, NewAfterSlideIsExactlyWhatWasNotSeenBefore) {
   const Cells cells({7, 7, 7}, true, 1);
   int expected = 0;
-  for (const Steps<3>& steps : cells.neighbourhood()) {
+  for (const Steps<3>& steps : ways(cells.neighbourhood())) {
     // A cell of the layer above that is now at column d was at d - 1, below at d + 1.
     const Steps<3> before{steps[0] - steps[1], steps[1], steps[2]};
-    const bool is_new = !contains(cells.neighbourhood(), before);
-    EXPECT_EQ(contains(cells.new_after_slide(), steps), is_new);
+    const bool is_new = !contains(ways(cells.neighbourhood()), before);
+    EXPECT_EQ(contains(ways(cells.new_after_slide()), steps), is_new);
     expected += is_new;
   }
   EXPECT_EQ(expected, 6);  // one column of three rows, above and below
@@ -235,6 +245,28 @@ TEST(SlidingCells, KnowWhichSpheresAreInACell) {
   EXPECT_EQ(spheres_of(6), (std::set<std::int32_t>{2, 3}));
   cells.remove(0, 5);
   EXPECT_TRUE(spheres_of(5).empty());
+}
+
+TEST(SlidingCells, RunsOfARowAreItsNeighboursWithTheirLag) {
+  for (const int side : {2, 3, 5}) {
+    Cells cells({side, side, side}, true, 1);
+    cells.slide_by_one_cell();
+    for (std::int32_t cell = 0; cell < cells.count(); ++cell) {
+      for (const Cells::Row& row : cells.neighbourhood()) {
+        Steps<3> steps = row.steps;
+        steps[0] = row.from;
+        cells.for_each_run(cell, row,
+                           [&](std::int32_t first, std::int32_t last, const Steps<3>& lag) {
+                             for (std::int32_t found = first; found <= last; ++found, ++steps[0]) {
+                               const auto neighbour = cells.neighbour(cell, steps);
+                               EXPECT_EQ(found, neighbour.cell);
+                               EXPECT_EQ(lag, neighbour.lag);
+                             }
+                           });
+        EXPECT_EQ(steps[0], row.to + 1);
+      }
+    }
+  }
 }
 
 }  // namespace

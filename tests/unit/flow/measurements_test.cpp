@@ -114,7 +114,7 @@ TEST(Measurements, KnowFreeFlightInShearByHand) {
 
 TEST(Measurements, DoNotDependOnHowOftenTheyAreAsked) {
   const double side = box_side<3>(32, 0.2);
-  const State start = make_start<3>({Arrangement::fcc, 32, 1, 3}, side);
+  const State start = make_start<3>({Arrangement::fcc, 32, 1, 3}, support::cube(side));
   Gas one(Box({side, side, side}, 1), start, {0.8});
   Gas other(Box({side, side, side}, 1), start, {0.8});
   Measurements<3, double> once(one, 0.9);
@@ -135,7 +135,7 @@ TEST(Measurements, DoNotDependOnHowOftenTheyAreAsked) {
 TEST(Measurements, AverageOfTwoSpansIsThatOfTheWhole) {
   // Energy integrals add up: 3 T(0..3) = 1 T(0..1) + 2 T(1..3).
   const double side = box_side<3>(32, 0.2);
-  const State start = make_start<3>({Arrangement::fcc, 32, 1, 3}, side);
+  const State start = make_start<3>({Arrangement::fcc, 32, 1, 3}, support::cube(side));
   Gas gas(Box({side, side, side}, 1), start, {0.8});
   Measurements<3, double> whole(gas, 0);
   Measurements<3, double> late(gas, 1);
@@ -161,7 +161,7 @@ TEST(Measurements, AverageOfTwoSpansIsThatOfTheWhole) {
 
 TEST(Measurements, TemperatureOfAnElasticGasStaysWhereItWas) {
   const double side = box_side<3>(108, 0.3);
-  const State start = make_start<3>({Arrangement::fcc, 108, 2.5, 3}, side);
+  const State start = make_start<3>({Arrangement::fcc, 108, 2.5, 3}, support::cube(side));
   Gas gas(Box({side, side, side}, 0), start, {1.0});
   Measurements<3, double> measurements(gas, 0.3);
   run(gas, measurements, 1.5);

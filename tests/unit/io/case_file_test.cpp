@@ -122,6 +122,16 @@ TEST(CaseFile, RealNumberWithoutFractionStandsForInteger) {
   EXPECT_EQ(overridden(cooling_case, {"start.seed=1e18"}).start.seed, 1'000'000'000'000'000'000U);
 }
 
+TEST(CaseFile, ThresholdFollowsThePrecisionUnlessItIsGiven) {
+  const auto threshold = [](const std::vector<std::string>& overrides) {
+    return overridden(cooling_case, overrides).collapse.gap_threshold;
+  };
+  EXPECT_EQ(threshold({}), 1e-16);
+  EXPECT_EQ(threshold({"collision.precision=extended"}), 1e-16 / 2048);  // 11 bits more
+  EXPECT_NEAR(threshold({"collision.precision=quad"}), 8.7e-35, 1e-36);  // 1e-16 / 2^60
+  EXPECT_EQ(threshold({"collision.precision=quad", "collapse.gap_threshold=1e-16"}), 1e-16);
+}
+
 TEST(CaseFile, TextIsKeptByteForByte) {
   const std::string text = "# caf\u00e9\r\n" + std::string(cooling_case) + "\n\n";
   EXPECT_EQ(overridden(text, {"system.restitution=0.5"}).text, text);
@@ -211,10 +221,11 @@ TEST_F(CaseFileOnDisk, ThatIsMissingOrADirectoryIsAnInputError) {
                                            "file in it");
 }
 
-TEST_F(CaseFileOnDisk, MayHaveOneMebibyteAndNotAByteMore) {
-  const std::string largest = cooling_case + std::string(1024 * 1024 - cooling_case.size(), '\n');
+TEST_F(CaseFileOnDisk, MayHaveSixteenMebibytesAndNotAByteMore) {
+  const std::string largest =
+      cooling_case + std::string(16 * 1024 * 1024 - cooling_case.size(), '\n');
   EXPECT_EQ(problems_of_file(written(largest)), "");
-  EXPECT_NE(problems_of_file(written(largest + "\n")).find(": is larger than 1 MiB"),
+  EXPECT_NE(problems_of_file(written(largest + "\n")).find("is larger than 16 MiB"),
             std::string::npos);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/case_table.hpp"
+#include "io/derived.hpp"
 #include "unit/io/case_texts.hpp"
 
 namespace zenosphere {
@@ -24,13 +25,34 @@ std::string between(const std::string& text, const std::string& begin, const std
   return text.substr(from, text.find(end, from) - from);
 }
 
-TEST(CaseReference, ExampleIsARightCaseThatShowsEveryTable) {
-  const std::string example = between(reference(), "```toml\n", "```");
-  const Case values = parse_case(example, "docs/case-file.md", {});
+/// The n-th TOML text of the page, from 0.
+std::string example(int n) {
+  std::string page = reference();
+  for (; n > 0; --n) page = page.substr(page.find("```toml\n") + 8);
+  return between(page, "```toml\n", "```");
+}
+
+TEST(CaseReference, FirstExampleIsARightCase) {
+  const Case values = parse_case(example(0), "docs/case-file.md", {});
   EXPECT_EQ(values.system.spheres, 4000);
   EXPECT_EQ(values.run.collisions, 2'000'000);
+  EXPECT_NO_THROW(derived_text(values));
+}
+
+TEST(CaseReference, SecondExampleIsABouncingBallThatHitsTheFloorAtUnitSpeed) {
+  const Case values = parse_case(example(1), "docs/case-file.md", {});
+  EXPECT_NO_THROW(derived_text(values));
+  EXPECT_EQ(values.system.dimension, 1);
+  EXPECT_EQ(values.system.spheres, 1);
+  EXPECT_EQ(values.walls.axis, Axis::x);
+  const double height = values.start.positions[0][0] - 0.5;
+  EXPECT_EQ(-2 * values.gravity.acceleration[0] * height, 1);  // v^2 = 2 G h
+}
+
+TEST(CaseReference, ExamplesShowEveryTable) {
+  const std::string examples = example(0) + example(1);
   for (const auto& key : case_format::keys()) {
-    EXPECT_NE(example.find(fmt::format("[{}]\n", key.table)), std::string::npos) << key.table;
+    EXPECT_NE(examples.find(fmt::format("[{}]\n", key.table)), std::string::npos) << key.table;
   }
 }
 
@@ -54,7 +76,7 @@ TEST(CaseReference, EveryKeyHasARowWithItsRange) {
 
 TEST(CaseReference, ErrorsAreThoseOfTheProgram) {
   const std::string text = R"([system]
-dimension = 2
+dimension = 4
 spheres = 4001
 restituton = 0.6
 solids_volume_fraction = "dense"
@@ -75,7 +97,7 @@ collision_log = "windw"
   std::string problems;
   try {
     parse_case(text, "case.toml",
-               std::vector<std::string>{"collision.precision=quad", "system.gravity=1"});
+               std::vector<std::string>{"collision.precision=half", "system.gravity=1"});
   } catch (const InputError& error) {
     problems = error.what();
   }

@@ -9,6 +9,11 @@
 namespace zenosphere {
 namespace {
 
+template <int Dim>
+auto cells_of(const Case& values) {
+  return box_of<Dim, double>(values);
+}
+
 /// What stands behind a label, without the blanks between; empty if the label is not there.
 std::string line_of(const Case& values, const std::string& label) {
   const std::string text = '\n' + derived_text(values);
@@ -33,12 +38,12 @@ TEST(BoxOf, GivesADiluteSystemAboutTwoCellsForASphere) {
   // phi = 3e-7: L = 1911.23; 8000^(1/3) = 20 cells a side instead of 1911. The margin of a cell
   // lets only 19 fit.
   const Case dilute = overridden(shear_case, {"system.solids_volume_fraction=3e-7"});
-  EXPECT_EQ(box_of<3>(dilute).cells()[0], 19);
+  EXPECT_EQ(cells_of<3>(dilute).cells()[0], 19);
 }
 
 TEST(BoxOf, SlidesOnlyUnderShear) {
-  EXPECT_TRUE(box_of<3>(overridden(shear_case, {})).is_sheared());
-  EXPECT_FALSE(box_of<3>(overridden(cooling_case, {})).is_sheared());
+  EXPECT_TRUE(cells_of<3>(overridden(shear_case, {})).is_sheared());
+  EXPECT_FALSE(cells_of<3>(overridden(cooling_case, {})).is_sheared());
 }
 
 TEST(DerivedText, TellsTheGapOfTheLattice) {
@@ -48,6 +53,41 @@ TEST(DerivedText, TellsTheGapOfTheLattice) {
   EXPECT_EQ(
       line_of(overridden(shear_case, {"start.arrangement=random"}), "gap of lattice neighbours"),
       "");
+}
+
+TEST(BoxOf, HasTheSidesOfAPlaneAndIsClosedAtWalls) {
+  const Case walled = overridden(
+      replaced(replaced(shear_case, "dimension = 3", "dimension = 2"), "\"fcc\"", "\"random\""),
+      {"drive.kind=none", "system.sides=[80, 90]", "walls.axis=y", "walls.restitution=1"});
+  const auto box = cells_of<2>(walled);
+  EXPECT_EQ(box.sides()[0], 80);
+  EXPECT_EQ(box.sides()[1], 90);
+  EXPECT_EQ(box.closed_axis(), 1);
+  EXPECT_EQ(line_of(walled, "box side"), "80 x 90 diameters");
+  EXPECT_EQ(line_of(walled, "number density"), "0.55555556 per diameter^2");  // 4000 / 7200
+  EXPECT_EQ(line_of(walled, "solids volume fraction"), "0.43633231");         // x pi / 4
+}
+
+TEST(DerivedText, TellsTheLineOfAOneDimensionalCase) {
+  const Case rods = overridden(
+      replaced(replaced(cooling_case, "dimension = 3", "dimension = 1"), "\"fcc\"", "\"random\""),
+      {"run.time=10", "drive.kind=random", "drive.noise_strength=1", "drive.kick_interval=0.25"});
+  EXPECT_EQ(line_of(rods, "box side"), "13333.333 diameters");  // 4000 / 0.3
+  EXPECT_EQ(line_of(rods, "number density"), "0.3 per diameter");
+  EXPECT_EQ(line_of(rods, "layers"), "");
+  EXPECT_EQ(line_of(rods, "kicks until run.time"), "40");
+  EXPECT_EQ(line_of(rods, "one snapshot"), "0.061035156 MiB");  // 4000 x 16 bytes
+}
+
+TEST(DerivedText, ChecksWhatACaseGives) {
+  const std::string pair =
+      replaced(replaced(cooling_case, "\"fcc\"", "\"given\"\npositions = [[1, 1, 1], [3, 1, 1]]"),
+               "spheres = 4000", "spheres = 2");
+  const std::vector<std::string> moving{"system.solids_volume_fraction=0.01",
+                                        "start.velocities=[[1, 2, 2], [0, 0, 1]]"};
+  const Case right = overridden(pair, moving);
+  EXPECT_EQ(line_of(right, "kinetic energy at start"), "5 mass diameter^2/time^2");
+  EXPECT_THROW(derived_text(overridden(replaced(pair, "[3,", "[1.5,"), moving)), InputError);
 }
 
 TEST(DerivedText, TellsStrainOnlyUnderShear) {

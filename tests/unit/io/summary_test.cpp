@@ -21,7 +21,7 @@ Summary collapsed_summary() {
   summary.ended_by = "arrest";
   summary.verdict = "true";
   summary.separation = {12, 70, 0.25, 90};
-  summary.arrest = {true, 88, 0.5, 10, {{0, 3}, {1, 3}}};
+  summary.arrest = {true, 88, 0.5, 10, {{0, 3}, {1, 3}}, {}, {}};
   return summary;
 }
 
@@ -51,12 +51,13 @@ TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
   EXPECT_EQ(keys(json["separation"]),
             (std::vector<std::string>{"hits", "first_collision", "first_time", "last_collision"}));
   EXPECT_EQ(keys(json["arrest"]),
-            (std::vector<std::string>{"met", "collision", "time", "window", "pairs"}));
+            (std::vector<std::string>{"met", "collision", "time", "window", "pairs",
+                                      "extrapolated_time", "flight_ratio"}));
   EXPECT_EQ(keys(json["averages"]),
-            (std::vector<std::string>{"granular_temperature", "temperature_diagonal", "pressure",
-                                      "pressure_tensor", "collision_rate", "dissipation",
-                                      "compressibility_factor", "from_time", "to_time",
-                                      "shear_work", "normal_speed"}));
+            (std::vector<std::string>{
+                "granular_temperature", "temperature_diagonal", "pressure", "pressure_tensor",
+                "collision_rate", "dissipation", "compressibility_factor", "from_time", "to_time",
+                "shear_work", "normal_speed", "other_work", "wall_pressure"}));
 }
 
 TEST(Summary, JsonIsOneLine) {
@@ -69,7 +70,8 @@ TEST(Summary, JsonTellsACollapseWithItsPairs) {
   EXPECT_EQ(json["separation"].dump(),
             R"({"hits":12,"first_collision":70,"first_time":0.25,"last_collision":90})");
   EXPECT_EQ(json["arrest"].dump(),
-            R"({"met":true,"collision":88,"time":0.5,"window":10,"pairs":[[0,3],[1,3]]})");
+            R"({"met":true,"collision":88,"time":0.5,"window":10,"pairs":[[0,3],[1,3]],)"
+            R"("extrapolated_time":null,"flight_ratio":null})");
 }
 
 TEST(Summary, JsonHasNullWhereACriterionWasNeverMet) {
@@ -79,7 +81,8 @@ TEST(Summary, JsonHasNullWhereACriterionWasNeverMet) {
   EXPECT_EQ(json["separation"].dump(),
             R"({"hits":0,"first_collision":null,"first_time":null,"last_collision":null})");
   EXPECT_EQ(json["arrest"].dump(),
-            R"({"met":false,"collision":null,"time":null,"window":10,"pairs":[]})");
+            R"({"met":false,"collision":null,"time":null,"window":10,"pairs":[],)"
+            R"("extrapolated_time":null,"flight_ratio":null})");
 }
 
 TEST(Summary, JsonHasTensorsAsArraysOfRows) {
@@ -92,7 +95,7 @@ TEST(Summary, JsonHasTensorsAsArraysOfRows) {
 
 TEST(Summary, JsonHasAveragesOfNullsWhereNothingWasAveraged) {
   const auto averages = Json::parse(to_json(collapsed_summary(), 2))["averages"];
-  ASSERT_EQ(averages.size(), 11u);
+  ASSERT_EQ(averages.size(), 13u);
   for (const auto& value : averages) EXPECT_TRUE(value.is_null());
 }
 

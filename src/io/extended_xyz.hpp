@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace zenosphere {
+
+/// One frame of an extended XYZ file, row-major.
+struct XyzFrame {
+  std::vector<double> positions;   ///< N x D, diameters
+  std::vector<double> velocities;  ///< N x D, diameters/time; empty if the file has none
+  std::vector<double> sides;       ///< D, diameters; empty if the file has no Lattice
+};
+
+/// Reads the last frame of an extended XYZ file.
+///
+/// A frame is a line with the number of spheres, a line with Lattice="..." and Properties=..., and
+/// one line a sphere. Of the columns that Properties names, `pos` and `velo` (also `vel`,
+/// `velocity`, `velocities`) are read, the others skipped; without Properties, the columns are a
+/// word and three coordinates. In fewer than three dimensions the coordinates beyond must be 0.
+///
+/// \param dimension  D
+/// \param spheres    N, which the frame must have
+/// Throws InputError, with file:line, where the file cannot be read, is not of this format, ends
+/// within a frame, or has lines of more than 1 MiB.
+/// Source: https://github.com/libAtoms/extxyz
+XyzFrame read_last_frame(const std::filesystem::path& path, int dimension, std::int64_t spheres);
+
+}  // namespace zenosphere

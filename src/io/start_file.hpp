@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "io/case.hpp"
+
+namespace zenosphere {
+
+/// Positions and velocities that a case gives instead of having them made.
+struct GivenStart {
+  int dimension = 0;               ///< D
+  std::vector<double> positions;   ///< N x D, row-major, diameters; in the box, [0, L)
+  std::vector<double> velocities;  ///< N x D, row-major, laboratory, diameters/time; empty where
+                                   ///< they are to be drawn at start.granular_temperature
+  std::vector<double> sides;       ///< D, diameters: those of the box
+};
+
+/// The start that a case writes (Arrangement::given) or names (Arrangement::file), checked: right
+/// numbers of finite numbers, every sphere in the box and clear of the walls, no two overlapping by
+/// more than 1e-12 diameters, and something that moves.
+///
+/// A file is an output file of this program, of which the last snapshot counts, or else extended
+/// XYZ, of which the last frame does. The box that it tells must be that of the case.
+///
+/// \param values  a checked case, as read_case gives it, with one of the two arrangements
+/// Throws InputError, which names spheres by their number from 0.
+GivenStart given_start(const Case& values);
+
+}  // namespace zenosphere

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/float128.hpp>
+#include <charconv>
+#include <string>
+
+namespace zenosphere {
+
+/// The number types of the engine beside `double`: the precision ladder.
+using Extended = long double;                     ///< 64-bit significand
+using Quad = boost::multiprecision::float128;     ///< 113-bit significand
+using Digits100 = boost::multiprecision::number<  ///< 100 decimal digits, 334-bit significand
+    boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+
+/// The number that the shortest decimal text of `value` means, in the precision of Real.
+///
+/// A user who writes 0.05 means 1/20, not the `double` next to it: what a case file says is read in
+/// the run's own precision. Texts of up to 15 digits come back as they were written.
+template <class Real>
+Real from_decimal(double value) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return value;
+  } else {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    const std::string decimal(text, end);
+    if constexpr (std::is_same_v<Real, Extended>) {
+      return std::stold(decimal);
+    } else {
+      return Real(decimal);
+    }
+  }
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,46 @@
+#include "run/random_driving.hpp"
+
+#include <cmath>
+
+#include "model/instantiate.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// Any odd constant makes a stream apart from the one of the start; this is the golden ratio's.
+constexpr std::uint64_t kOtherStream = 0x9e3779b97f4a7c15;
+
+}  // namespace
+
+template <int Dim, class Real>
+RandomDriving<Dim, Real>::RandomDriving(const Case& values)
+    : random_(values.start.seed ^ kOtherStream),
+      interval_(values.drive.kick_interval),
+      step_(std::sqrt(values.drive.noise_strength * values.drive.kick_interval)),
+      keeps_momentum_(!values.walls.axis) {
+  if (values.drive.kind == DriveKind::random) next_kick_ = interval_;
+}
+
+template <int Dim, class Real>
+void RandomDriving<Dim, Real>::kick(Simulation<Dim, Real>& simulation,
+                                    Measurements<Dim, Real>& measurements) {
+  std::vector<Vec<Dim, Real>> changes(static_cast<std::size_t>(simulation.spheres()));
+  Vec<Dim, Real> mean;
+  for (auto& change : changes) {
+    for (int axis = 0; axis < Dim; ++axis) change[axis] = Real(step_ * random_.normal());
+    mean += change * Real(1.0 / static_cast<double>(changes.size()));
+  }
+  if (keeps_momentum_) {
+    for (auto& change : changes) change -= mean;
+  }
+  measurements.kick(simulation, changes);
+  ++kicks_;
+  next_kick_ = static_cast<double>(kicks_ + 1) * interval_;  // no drift by rounding
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real) template class RandomDriving<Dim, Real>;
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere

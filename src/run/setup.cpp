@@ -1,0 +1,99 @@
+#include "run/setup.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "engine/start.hpp"
+#include "io/derived.hpp"
+#include "io/start_file.hpp"
+#include "model/errors.hpp"
+#include "model/instantiate.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+template <int Dim, class Real>
+std::vector<Vec<Dim, Real>> vectors(const std::vector<double>& numbers) {
+  std::vector<Vec<Dim, Real>> vectors(numbers.size() / Dim);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    vectors[k / Dim][static_cast<int>(k % Dim)] = from_decimal<Real>(numbers[k]);
+  }
+  return vectors;
+}
+
+template <int Dim, class Real>
+std::vector<Vec<Dim, Real>> in_precision(const std::vector<Vec<Dim, double>>& vectors) {
+  std::vector<Vec<Dim, Real>> result(vectors.size());
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    for (int axis = 0; axis < Dim; ++axis) result[i][axis] = Real(vectors[i][axis]);
+  }
+  return result;
+}
+
+/// Positions and velocities that the case gives; laboratory velocities become peculiar ones.
+template <int Dim, class Real>
+Configuration<Dim, Real> given_configuration(const Case& values, const ShearBox<Dim, Real>& box) {
+  const GivenStart given = given_start(values);
+  Configuration<Dim, Real> start{vectors<Dim, Real>(given.positions),
+                                 vectors<Dim, Real>(given.velocities)};
+  if (values.start.granular_temperature) {
+    Random random(values.start.seed);
+    start.velocities = in_precision<Dim, Real>(
+        thermal_velocities<Dim>(static_cast<std::int32_t>(start.positions.size()),
+                                *values.start.granular_temperature, random));
+  } else if (box.is_sheared()) {
+    for (std::size_t i = 0; i < start.positions.size(); ++i) {
+      start.velocities[i][0] -= box.profile(start.positions[i]);
+    }
+  }
+  return start;
+}
+
+}  // namespace
+
+template <int Dim, class Real>
+Configuration<Dim, Real> start_of(const Case& values, const ShearBox<Dim, Real>& box) {
+  const Arrangement arrangement = values.start.arrangement;
+  if (arrangement == Arrangement::given || arrangement == Arrangement::file) {
+    return given_configuration<Dim, Real>(values, box);
+  }
+  try {
+    const auto made =
+        make_start<Dim>({.arrangement = arrangement,
+                         .spheres = static_cast<std::int32_t>(values.system.spheres),
+                         .granular_temperature = values.start.granular_temperature.value_or(0),
+                         .seed = values.start.seed},
+                        box_of<Dim, double>(values));
+    return {in_precision<Dim, Real>(made.positions), in_precision<Dim, Real>(made.velocities)};
+  } catch (const std::invalid_argument& error) {
+    throw InputError(std::string("start: ") + error.what() +
+                     "; lower system.solids_volume_fraction or choose another start");
+  }
+}
+
+template <int Dim, class Real>
+Surroundings<Dim, Real> surroundings_of(const Case& values) {
+  Surroundings<Dim, Real> surroundings;
+  for (std::size_t axis = 0; axis < values.gravity.acceleration.size(); ++axis) {
+    surroundings.acceleration[static_cast<int>(axis)] =
+        from_decimal<Real>(values.gravity.acceleration[axis]);
+  }
+  if (values.walls.axis) {
+    surroundings.walls = Walls<Real>{
+        .axis = static_cast<int>(*values.walls.axis),
+        .restitution = from_decimal<Real>(values.walls.restitution),
+        .tangential_restitution = from_decimal<Real>(values.walls.tangential_restitution),
+        .speed = {from_decimal<Real>(values.walls.lower_speed),
+                  from_decimal<Real>(values.walls.upper_speed)}};
+  }
+  return surroundings;
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                         \
+  template Configuration<Dim, Real> start_of<Dim, Real>(const Case&, const ShearBox<Dim, Real>&); \
+  template Surroundings<Dim, Real> surroundings_of<Dim, Real>(const Case&);
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/simulation.hpp"
+#include "io/case.hpp"
+
+namespace zenosphere {
+
+/// The spheres of a case at its start, made, written in the case or read from a file.
+///
+/// What is made is made in `double` and is the same state in every precision; what is written in
+/// decimals is read in the precision of Real.
+///
+/// \param box  that of the case
+/// Throws InputError where the start cannot be made.
+template <int Dim, class Real>
+Configuration<Dim, Real> start_of(const Case& values, const ShearBox<Dim, Real>& box);
+
+/// Gravity and walls of a case.
+template <int Dim, class Real>
+Surroundings<Dim, Real> surroundings_of(const Case& values);
+
+}  // namespace zenosphere

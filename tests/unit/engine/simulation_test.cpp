@@ -1,0 +1,205 @@
+#include "engine/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "engine/start.hpp"
+#include "support/gas.hpp"
+
+namespace zenosphere {
+namespace {
+
+using Line = Simulation<1, double>;
+using Plane = Simulation<2, double>;
+
+// Centres at 4 and 5 - 1e-15 (9 half ulps of 2^-52 x 4) that close with speed 1, and a third sphere
+// that meets the second at time 2.
+Line overlapping(OverlapRule rule, double guard = 1e-15, double speed = 1) {
+  return Line(ShearBox<1, double>({20}, 0), {{{4}, {5 - 1e-15}, {10}}, {{speed}, {0}, {0}}},
+              {.restitution = 1, .overlap = rule, .guard = guard});
+}
+
+TEST(OverlapRules, RewindCollidesWhereTheFormulaSays) {
+  Line line = overlapping(OverlapRule::rewind);
+  const auto collision = line.next_collision(10).value();
+  EXPECT_TRUE(collision.overlapping);
+  EXPECT_NEAR(line.time(), -1e-15, 4.5e-16);  // half an ulp of 5
+  EXPECT_LT(line.time(), 0);
+  EXPECT_EQ(line.peculiar_velocity(1)[0], 1);
+}
+
+TEST(OverlapRules, ImmediateCollidesNow) {
+  Line line = overlapping(OverlapRule::immediate);
+  const auto collision = line.next_collision(10).value();
+  EXPECT_TRUE(collision.overlapping);
+  EXPECT_EQ(line.time(), 0);
+  EXPECT_EQ(collision.flight, 0);
+  EXPECT_EQ(line.peculiar_velocity(1)[0], 1);
+}
+
+TEST(OverlapRules, GuardedLetsASlowPairPassAndCountsIt) {
+  // dr.dv = -(1 - 1e-15): collides now with a small guard; is left alone with a large one.
+  Line collides = overlapping(OverlapRule::guarded);
+  EXPECT_EQ(collides.next_collision(10).value().i, 0);
+  EXPECT_EQ(collides.time(), 0);
+  EXPECT_EQ(collides.overlaps_ignored(), 0);
+  Line passes = overlapping(OverlapRule::guarded, 1.5);
+  const auto collision = passes.next_collision(10).value();
+  EXPECT_EQ(collision.i, 0);  // through the second to the third, 5 away, at speed 1
+  EXPECT_EQ(collision.j, 2);
+  EXPECT_NEAR(passes.time(), 5, 1e-14);
+  EXPECT_GE(passes.overlaps_ignored(), 1);
+}
+
+TEST(OverlapRules, StopEndsTheRunBeforeTheCollision) {
+  Line line = overlapping(OverlapRule::stop);
+  EXPECT_FALSE(line.next_collision(10));
+  ASSERT_TRUE(line.stopped_before());
+  EXPECT_EQ(line.stopped_before()->i, 0);
+  EXPECT_EQ(line.stopped_before()->j, 1);
+  EXPECT_NEAR(line.stopped_before()->gap, -1e-15, 4.5e-16);
+  EXPECT_FALSE(line.next_collision(10));
+  EXPECT_EQ(line.collisions(), 0);
+  EXPECT_EQ(line.peculiar_velocity(0)[0], 1);
+}
+
+TEST(OverlapRules, DoNotTouchSpheresThatSeparate) {
+  for (const auto rule :
+       {OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded, OverlapRule::stop}) {
+    Line line = overlapping(rule, 1e-15, -0.001);
+    EXPECT_FALSE(line.next_collision(1));
+    EXPECT_FALSE(line.stopped_before());
+    EXPECT_TRUE(line.has_reached(1));
+  }
+}
+
+TEST(Simulation, IsAtRestWhereNothingMovesAndNoLongerAfterAKick) {
+  Line line(ShearBox<1, double>({20}, 0), {{{4}, {8}}, {{0}, {0}}}, {0.5});
+  EXPECT_FALSE(line.is_at_rest());  // nobody has looked yet
+  EXPECT_FALSE(line.next_collision(5));
+  EXPECT_TRUE(line.is_at_rest());
+  line.kick({{1}, {-1}});
+  ASSERT_TRUE(line.next_collision(5));
+  EXPECT_FALSE(line.is_at_rest());
+  EXPECT_NEAR(line.time(), 1.5, 1e-15);  // a gap of 3 at speed 2
+}
+
+TEST(Simulation, KickChangesTheVelocitiesNowAndWhatComesNext) {
+  // Two rods that would meet at time 3 stop each other's approach half-way; then the other way
+  // round.
+  Line line(ShearBox<1, double>({40}, 0), {{{4}, {11}}, {{1}, {-1}}}, {1.0});
+  EXPECT_FALSE(line.next_collision(1.5));
+  EXPECT_EQ(line.time(), 1.5);
+  line.kick({{-2}, {3}});
+  EXPECT_EQ(line.peculiar_velocity(0)[0], -1);
+  EXPECT_EQ(line.peculiar_velocity(1)[0], 2);
+  // Now 5.5 and 9.5 and apart at 3; around the ring of 40 the gap is 36 - 1.
+  ASSERT_TRUE(line.next_collision(100));
+  EXPECT_NEAR(line.time(), 1.5 + 35.0 / 3, 1e-14);
+}
+
+TEST(Simulation, TakesTheGapOfTheNextPairAtAKickThatCameSinceTheLastCollision) {
+  // Elastic rods meet at time 1 and part with speed 2: at time 1.5 their gap is 1. The kick turns
+  // them round, so that they meet again at time 2; a gap of 3 would be the way back past the kick.
+  Line line(ShearBox<1, double>({20}, 0), {{{4}, {7}}, {{1}, {-1}}}, {1.0});
+  ASSERT_TRUE(line.next_collision(1.5));
+  ASSERT_FALSE(line.next_collision(1.5));
+  line.kick({{2}, {-2}});
+  const auto collision = line.next_collision(3).value();
+  EXPECT_NEAR(collision.gap_before, 1, 1e-14);
+  EXPECT_NEAR(collision.flight, 1, 1e-14);
+}
+
+TEST(Simulation, StopsOnTheWayChangeNoCollisionWithWallsAndGravity) {
+  const ShearBox<2, double> box({12, 12}, 0, 1, 1);
+  const auto start = make_start<2>({Arrangement::random, 60, 1, 7}, box);
+  const Surroundings<2, double> surroundings{{0.1, -0.5},
+                                             Walls<double>{.axis = 1, .restitution = 0.9}};
+  Plane straight(box, start, {0.95}, surroundings);
+  Plane halting(box, start, {0.95}, surroundings);
+  double until = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const auto expected = straight.next_collision(1e3).value();
+    auto collision = halting.next_collision(until);
+    for (; !collision; collision = halting.next_collision(until)) until += 0.003;
+    ASSERT_EQ(collision->i, expected.i) << n;
+    ASSERT_EQ(collision->j, expected.j) << n;
+    ASSERT_EQ(std::bit_cast<std::int64_t>(collision->flight),
+              std::bit_cast<std::int64_t>(expected.flight))
+        << n;
+    ASSERT_EQ(collision->change, expected.change) << n;
+  }
+}
+
+TEST(Simulation, CallsACollisionAbsorbedThatIsBelowTheLastBitOfTheVelocities) {
+  // For e = 0 the impulse is half the closing speed: for one ulp that is a tie.
+  const double ulp = 0x1p-52;
+  Line tie(ShearBox<1, double>({20}, 0), {{{4}, {5}}, {{1 + 2 * ulp}, {1 + ulp}}}, {0.0});
+  EXPECT_FALSE(tie.next_collision(1e3).value().absorbed);  // the second goes to the even 1 + 2 ulp
+  EXPECT_EQ(tie.peculiar_velocity(1)[0], 1 + 2 * ulp);
+  // On the normal (0.6, 0.8) a difference of one ulp along x closes with 0.6 ulp; the impulse of
+  // 0.3 ulp has the parts 0.18 and 0.24 ulp, below half an ulp of speeds from 1 to 2.
+  Plane oblique(ShearBox<2, double>({20, 20}, 0),
+                {{{4, 4}, {4.6, 4.8}}, {{1 + 2 * ulp, 1.5}, {1 + ulp, 1.5}}}, {0.0});
+  const auto tiny = oblique.next_collision(1e3);
+  ASSERT_TRUE(tiny);
+  EXPECT_TRUE(tiny->absorbed);
+  EXPECT_EQ(oblique.peculiar_velocity(0), (Vec<2, double>{{1 + 2 * ulp, 1.5}}));
+  EXPECT_EQ(oblique.peculiar_velocity(1), (Vec<2, double>{{1 + ulp, 1.5}}));
+}
+
+TEST(Walls, MakeNeighboursOfNobodyAcrossThem) {
+  // Side 4: centres 0.6 and 3.4 would overlap around a ring. Between walls they bounce, each at its
+  // own wall after 0.1 at speed 1, and meet in the middle.
+  Line line(ShearBox<1, double>({4}, 0, 1, 0), {{{0.6}, {3.4}}, {{-1}, {1}}}, {1.0},
+            {{}, Walls<double>{.axis = 0}});
+  const auto first = line.next_collision(10).value();
+  EXPECT_EQ(first.i, 0);
+  EXPECT_EQ(line.wall(first.j), 0);
+  EXPECT_NEAR(line.time(), 0.1, 1e-15);
+  const auto second = line.next_collision(10).value();
+  EXPECT_EQ(second.i, 1);
+  EXPECT_EQ(line.wall(second.j), 1);
+  const auto third = line.next_collision(10).value();
+  EXPECT_EQ(third.i, 0);
+  EXPECT_EQ(third.j, 1);
+  EXPECT_NEAR(line.time(), 0.1 + 1, 1e-14);  // 2 apart, less a diameter: 2 to go with speed 2
+}
+
+TEST(Walls, GiveASphereTheirSpeedWhereTheyAreRough) {
+  // Falls on the upper wall, which moves at 3, with (1, 2): leaves with (3, -1) for a restitution
+  // of 1/2 and none of the slip.
+  Plane disk(ShearBox<2, double>({10, 10}, 0, 1, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
+             {{}, Walls<double>{1, 0.5, 0, {0, 3}}});
+  const auto collision = disk.next_collision(10).value();
+  EXPECT_EQ(disk.time(), 0.5);
+  EXPECT_EQ(disk.wall(collision.j), 1);
+  EXPECT_EQ(collision.impact.normal_speed, 2);
+  EXPECT_EQ(collision.impact.impulse, 3);
+  EXPECT_EQ(disk.peculiar_velocity(0), (Vec<2, double>{{3, -1}}));
+}
+
+TEST(Walls, ReverseTheSlipWhereTheyAreElasticallyRough) {
+  // Tangential restitution 1: the slip 1 - 3 = -2 becomes 2.
+  Plane disk(ShearBox<2, double>({10, 10}, 0, 1, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
+             {{}, Walls<double>{1, 0.5, 1, {0, 3}}});
+  disk.next_collision(10).value();
+  EXPECT_EQ(disk.peculiar_velocity(0), (Vec<2, double>{{5, -1}}));
+}
+
+TEST(Gravity, LeavesTheRelativeMotionOfSpheresAlone) {
+  // Both fall; they meet as without gravity, after a gap of 3 at speed 2.
+  Plane disks(ShearBox<2, double>({20, 20}, 0), {{{4, 5}, {8, 5}}, {{1, 0}, {-1, 0}}}, {1.0},
+              {{0.25, -1}, {}});
+  ASSERT_TRUE(disks.next_collision(10));
+  EXPECT_NEAR(disks.time(), 1.5, 1e-14);
+  EXPECT_NEAR(disks.configuration().positions[0][1], 5 - 1.5 * 1.5 / 2, 1e-14);
+  EXPECT_NEAR(disks.peculiar_velocity(0)[1], -1.5, 1e-14);
+  EXPECT_NEAR(disks.peculiar_velocity(0)[0], -1 + 0.25 * 1.5, 1e-14);
+}
+
+}  // namespace
+}  // namespace zenosphere
