@@ -1,10 +1,11 @@
-"""Command line: `python3 -m zenosphere figures ...` and `python3 -m zenosphere report-md ...`."""
+"""Command line: `python3 -m zenosphere figures ...`, `... report-md ...` and `... cooling ...`."""
 
 import argparse
 import sys
 from contextlib import ExitStack
 from pathlib import Path
 
+from .cooling_figure import draw_cooling
 from .errors import InputError, OutputError
 from .figures import FALSE_POSITIVE, TRUE_COLLAPSE, draw_general_figures, draw_paper_figures
 from .report import write_report
@@ -48,6 +49,12 @@ def _report(options):
     print(options.output)
 
 
+def _cooling(options):
+    with RunFile(options.file) as run:
+        print(draw_cooling(run, options.output))
+    print(options.output)
+
+
 def _parser():
     parser = argparse.ArgumentParser(prog="python3 -m zenosphere", description=sys.modules[
         "zenosphere"].__doc__)
@@ -71,6 +78,13 @@ def _parser():
     report.add_argument("--figures", metavar="DIR", type=Path,
                         help="figures to embed (default: figures beside the report)")
     report.set_defaults(command=_report)
+
+    cooling = commands.add_parser("cooling", help="draw the granular temperature against time,"
+                                  " with Haff's law")
+    cooling.add_argument("file", metavar="OUT.h5", type=Path, help="a run with snapshots")
+    cooling.add_argument("-o", "--output", metavar="FIGURE.png", type=Path,
+                         default=Path("cooling.png"), help="the figure (default: cooling.png)")
+    cooling.set_defaults(command=_cooling)
     return parser
 
 

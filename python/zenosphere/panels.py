@@ -1,4 +1,4 @@
-"""Draws one panel of a run: the only user of matplotlib."""
+"""Draws one panel of a run."""
 
 import matplotlib
 import numpy as np

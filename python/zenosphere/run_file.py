@@ -111,9 +111,27 @@ class RunFile:
                              ' --set output.collision_log="all", or draw this file with --run')
         return log
 
+    @property
+    def snapshot_times(self):
+        """Times of the snapshots, float64 (T)."""
+        return self._spheres()["position/time"][:]
+
+    def snapshots(self):
+        """Yields (positions (N, D), velocities (N, D), box edges (D, D)) of each snapshot."""
+        spheres = self._spheres()
+        for number in range(spheres["position/value"].shape[0]):
+            yield tuple(spheres[name][number]
+                        for name in ("position/value", "velocity/value", "box/edges/value"))
+
     def setting(self, table, key):
         """The resolved value of `table.key`, or None where the case has no such key."""
         return self.case.get(table, {}).get(key)
+
+    def _spheres(self):
+        if "particles/spheres" not in self._file:
+            raise InputError(f"{self.path}: no snapshots (no /particles/spheres);"
+                             " run the case again")
+        return self._file["particles/spheres"]
 
     def _require_finished_run(self):
         group = self._file.get("zenosphere")

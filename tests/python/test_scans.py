@@ -1,0 +1,119 @@
+"""What the scan scripts of examples/ compute, without running the program."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+sys.path.insert(0, str(EXAMPLES))
+
+import scan_random_acceleration as acceleration  # noqa: E402
+import scan_rods as rods  # noqa: E402
+import scan_shear as shear  # noqa: E402
+import scan_three_balls as balls  # noqa: E402
+import scan_triple as triple  # noqa: E402
+import scanning  # noqa: E402
+
+
+def test_overrides_are_written_as_toml():
+    assert scanning.overrides({"run.time": 3, "start.positions": [[1, 2.5]], "a.b": True}) == [
+        "--set", "run.time=3", "--set", "start.positions=[[1, 2.5]]", "--set", "a.b=true"]
+
+
+def test_missing_program_is_said_with_what_to_do(monkeypatch):
+    monkeypatch.setenv("ZENOSPHERE", "/nowhere/zenosphere")
+    with pytest.raises(SystemExit, match="no such program.*ZENOSPHERE"):
+        scanning.program()
+
+
+def test_thresholds_of_three_and_four_rods_are_the_known_ones():
+    assert rods.threshold(3) == pytest.approx(7 - 4 * np.sqrt(3))
+    assert rods.threshold(4) == pytest.approx(3 - 2 * np.sqrt(2))
+
+
+@pytest.mark.parametrize("number", [3, 4, 5])
+def test_starts_of_rods_approach_without_overlap(number):
+    keys = rods.start(number)
+    assert len(keys["start.positions"]) == len(keys["start.velocities"]) == number
+    assert (np.diff(keys["start.positions"]) > 1).all()
+    assert (np.diff(keys["start.velocities"]) < 0).all()
+
+
+def test_neighbours_take_turns_or_not():
+    assert rods.take_turns([0, 2, 1, 2, 0, 1], 4)
+    assert not rods.take_turns([0, 2, 2, 1], 4)
+    assert not rods.take_turns([0, 1, 2, 1], 4)  # 0 has not collided again before 1 does
+
+
+def test_line_through_the_inverse_squares_is_zero_at_the_threshold():
+    # 1/n^2 = (e - 0.2) / 4 at n = 10, 20 and 40
+    collisions = np.array([10, 20, 40])
+    assert rods.extrapolated_threshold(0.2 + 4 / collisions**2, collisions) == pytest.approx(0.2)
+
+
+def test_growth_of_a_sideways_push_is_one_at_the_known_threshold():
+    assert balls.growth(balls.STABLE) == pytest.approx(0, abs=1e-12)
+    # e = 0.05: speeds x 0.4, gaps x 0.125, so that g = 0.125 / 0.16
+    assert balls.growth(0.05) == pytest.approx(np.log(0.125 / 0.16))
+
+
+def test_growth_is_read_from_the_counts():
+    # n = ln(1 / d^2) / 0.5 collisions: d^2 grows by exp(0.5) in each
+    counts = np.floor(-2 * np.log(balls.SIDEWAYS) / 0.5 + 1e-9)
+    assert balls.measured_growth(counts) == pytest.approx(0.5, abs=0.05)
+
+
+def test_zero_of_a_straight_line_is_found_by_line_and_parabola():
+    rates = np.array([0.1, 0.2, 0.3, 0.4])
+    assert balls.zero_of(0.05 + 0.02 * rates, rates) == pytest.approx((0.05, 0.05))
+
+
+def test_sideways_speeds_of_three_balls_are_across_the_line():
+    plane, space = balls.start(2, 0.01), balls.start(3, 0.01)
+    assert plane["start.velocities"] == [[1, 0], [0, 0.01], [0.125, 0]]
+    assert space["start.velocities"] == [[1, 0, 0], [0, 0.01, 0], [0.125, 0, 0.01]]
+    assert space["start.positions"][2] == [13, 10, 10]
+
+
+def test_triple_is_equilateral_without_momentum():
+    keys = triple.triple(0.3)
+    places = np.array(keys["start.positions"])
+    sides = [np.linalg.norm(places[k] - places[k - 1]) for k in range(3)]
+    assert sides == pytest.approx([1.5 * np.sqrt(3)] * 3)
+    assert np.sum(keys["start.velocities"], axis=0) == pytest.approx([0, 0], abs=1e-15)
+
+
+def test_return_from_the_other_wall_counts_as_infinitely_fast():
+    launch, ratio = acceleration.excursions(np.array([1, 1, 2]), np.array([4.0, 3.0, 9.0]), 0.5)
+    assert launch.tolist() == [2.0, 1.5]
+    assert ratio.tolist() == [1.5, np.inf]
+
+
+def test_mean_logarithm_takes_the_tail_from_its_power_law():
+    mean, _ = acceleration.mean_logarithm(np.array([1.0, np.e, np.inf, 7.0]), cut=np.e)
+    assert mean == pytest.approx((0 + 1 + 3 + 3) / 4)
+
+
+def test_mean_logarithm_of_mckeans_density_is_the_known_one():
+    """Quantiles of the density in place of a sample; the cut alone makes 0.005 of it."""
+    ratio = np.geomspace(1e-4, 1e6, 4000)
+    below = np.array([acceleration.cumulative(each) for each in ratio])
+    sample = np.interp((np.arange(20000) + 0.5) / 20000, below, ratio)
+    assert acceleration.mean_logarithm(sample)[0] == pytest.approx(np.pi / np.sqrt(3), abs=0.01)
+
+
+def test_extrapolation_of_a_line_with_equal_errors():
+    value, error = acceleration.extrapolated([1.0, 2.0, 3.0], [3.0, 5.0, 7.0], [0.1, 0.1, 0.1])
+    assert value == pytest.approx(1.0)
+    assert error == pytest.approx(0.1 * np.sqrt(1 / 3 + 4 / 2))  # of the intercept, mean at 2
+
+
+def test_shear_counts_runs_and_hits():
+    runs = [{"separation": {"hits": 30}, "arrest": {"met": True}, "verdict": "true",
+             "collisions": 1000},
+            {"separation": {"hits": 0}, "arrest": {"met": False}, "verdict": "none",
+             "collisions": 2000}]
+    assert shear.counted(runs) == (1, 1, "1 none, 1 true")
+    assert shear.hits_per_million(runs) == pytest.approx(10000)
