@@ -17,7 +17,7 @@ namespace {
 
 /// The most positions and velocities that a case may write take 15 MB with all their digits; what
 /// is larger is another file, named by mistake.
-constexpr std::streamsize most_bytes = 16'777'216;
+constexpr std::size_t most_bytes = 16'777'216;
 
 std::string content_of(const std::filesystem::path& file) {
   const std::string name = file.string();
@@ -30,15 +30,17 @@ std::string content_of(const std::filesystem::path& file) {
     throw InputError(fmt::format("{}: cannot be opened ({}); check the name and its permissions",
                                  name, std::strerror(errno)));
   }
-  std::string content(most_bytes + 1, '\0');
-  stream.read(content.data(), most_bytes + 1);
+  std::string content;
+  for (char block[65536]; stream && content.size() <= most_bytes;) {
+    stream.read(block, sizeof block);
+    content.append(block, static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) throw InputError(name + ": cannot be read to its end; check the disk it is on");
-  if (stream.gcount() > most_bytes) {
+  if (content.size() > most_bytes) {
     throw InputError(name +
                      ": is larger than 16 MiB (a case with 100000 written spheres takes less); "
                      "check that it is the case file");
   }
-  content.resize(static_cast<std::size_t>(stream.gcount()));
   return content;
 }
 
