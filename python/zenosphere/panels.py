@@ -54,8 +54,8 @@ def separation(axes, run, window):
     if k.size:
         drawn = thinned(k, height, keep=hit | (height == PLOT_FLOOR))
         k, height, hit = k[drawn], height[drawn], hit[drawn]
-    axes.plot(k[~hit], height[~hit], ".", color=INK, markersize=1.6, markeredgewidth=0,
-              rasterized=True)
+    axes.plot(k[~hit], height[~hit], ".", color=INK, markersize=_dot_size(k.size),
+              markeredgewidth=0, rasterized=True)
     _ticks(axes, k[hit], height[hit])
     _separation_scale(axes, run, height)
     axes.set_ylabel("Separation of the next pair (diameters)")
@@ -110,6 +110,11 @@ def pairs_raster(axes, run, window, most=12):
     axes.set_ylim(len(names) - 0.4, -0.6)
     axes.set_ylabel("Pair that collides")
     _collision_scale(axes, run, window)
+
+
+def _dot_size(points):
+    """Diameter of a dot (pt): dust for a cloud, a blob where there are few."""
+    return float(np.clip(60 / np.sqrt(points + 1), 1.6, 5))
 
 
 def _ticks(axes, x, y, color=HIT_COLOUR, **options):
