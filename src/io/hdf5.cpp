@@ -77,7 +77,7 @@ void write_numbers(const Handle& object, const std::string& name, hid_t type, co
 
 /// Takes over a string that HDF5 allocated.
 std::string adopted(char* text) {
-  const std::string result = text ? text : "";
+  std::string result = text ? text : "";
   H5free_memory(text);
   return result;
 }
@@ -157,6 +157,7 @@ void write_attribute(const Handle& object, const std::string& name, std::string_
 void write_attribute(const Handle& object, const std::string& name,
                      const std::vector<std::string>& texts) {
   std::vector<const char*> pointers;
+  pointers.reserve(texts.size());
   for (const auto& each : texts) pointers.push_back(each.c_str());
   write_texts(object, name, simple_space({texts.size()}), pointers);
 }

@@ -77,7 +77,7 @@ class Run {
       separation_.observe_next(pair->gap);
       if (recorder_) recorder_->observe_next(pair->gap);
     }
-    const Summary result = summary();
+    Summary result = summary();
     if (recorder_) recorder_->finish(simulation_);
     if (file_) file_->finish(result);
     return result;
