@@ -88,7 +88,8 @@ def _flow_facts(run):
     yield "granular temperature T", words.short(averages.get("granular_temperature"))
     yield "averages from and to time", (f"{words.short(averages.get('from_time'))} to"
                                         f" {words.short(averages.get('to_time'))}"
-                                        if averages else words.short(None))
+                                        if averages.get("to_time") is not None
+                                        else words.short(None))
     yield "ledger error (relative)", words.short(summary.get("ledger_error"), digits=2)
 
 
