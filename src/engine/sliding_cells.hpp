@@ -52,18 +52,14 @@ class SlidingCells {
 
   /// The cell that lies `steps` away from `cell` now; at most as far as a stencil reaches.
   Neighbour neighbour(std::int32_t cell, const Steps<Dim>& steps) const {
-    const Steps<Dim>& home = coordinates(cell);
-    Neighbour result{0, {}};
+    Steps<Dim> target = coordinates(cell);
+    // A layer that has slid to the right is met at a column further left.
+    target[0] = wrapped(target[0] - layers(steps) * whole_slide_, cells_[0]);
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      const int side = cells_[axis];
-      int target = home[axis];
-      // A layer that has slid to the right is met at a column further left.
-      if (axis == 0) target = wrapped(target - layers(steps) * whole_slide_, side);
-      target = wrapped(target + steps[axis], side);
-      result.cell += target * strides_[axis];
-      result.lag[axis] = steps[axis] - (target - home[axis]);
+      target[axis] = wrapped(target[axis] + steps[axis], cells_[axis]);
     }
-    return result;
+    const std::int32_t found = index(target);
+    return {found, lag(cell, found, steps)};
   }
 
   /// Calls `visit(first, last, lag)` for the runs of cells `first`, first + 1, ... `last` that make
@@ -89,7 +85,8 @@ class SlidingCells {
     }
   }
 
-  /// The same for a way of any length between two known cells.
+  /// What the difference of the coordinates of two cells lacks of a way, of any length, between
+  /// them.
   Steps<Dim> lag(std::int32_t from, std::int32_t to, const Steps<Dim>& steps) const {
     Steps<Dim> lag = steps;
     for (std::size_t axis = 0; axis < Dim; ++axis) {

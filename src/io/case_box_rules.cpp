@@ -8,6 +8,7 @@
 #include "io/case_box.hpp"
 #include "io/case_rules.hpp"
 #include "io/case_table.hpp"
+#include "model/shear_box.hpp"
 
 namespace zenosphere::case_format {
 namespace {
@@ -33,7 +34,7 @@ bool is_lattice(const Case& values) { return values.start.arrangement == Arrange
 /// What a side must be longer than: two cells must fit it, one between walls, each a little wider
 /// than a sphere, as ShearBox has it.
 double least_side(const Case& values, int axis) {
-  constexpr double smallest_cell_width = 1 + 1e-9;
+  constexpr double smallest_cell_width = 1 + cell_margin;
   return (closed_axis(values) == axis ? 1 : 2) * smallest_cell_width;
 }
 

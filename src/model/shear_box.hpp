@@ -13,6 +13,9 @@ namespace zenosphere {
 template <int Dim>
 using Steps = std::array<int, Dim>;
 
+/// A cell is a little wider than a sphere, so that rounding at its faces hides no neighbour.
+inline constexpr double cell_margin = 1e-9;
+
 /// A shift of position and velocity at once: what must be added to the stored coordinates of a
 /// sphere in one cell to see it from another cell.
 template <int Dim, class Real>
@@ -40,8 +43,7 @@ class ShearBox {
       : sides_(sides), shear_rate_(shear_rate), closed_axis_(closed_axis) {
     using std::floor;
     for (int axis = 0; axis < Dim; ++axis) {
-      // A cell is a little wider than a sphere, so that rounding at its faces hides no neighbour.
-      const Real margin = 1e-9;
+      const Real margin = cell_margin;
       const int least = is_closed(axis) ? 1 : 2;
       if (!(sides[axis] > least * (1 + margin))) throw std::invalid_argument("box too narrow");
       const Real fitting = floor(static_cast<Real>(sides[axis] / (least_width * (1 + margin))));
