@@ -48,14 +48,17 @@ def alternate(programs, states, rounds, length, zenosphere, done=()):
 
     `done` holds (state, round, name of program) of trials to leave out.
     """
-    able = {state: [program for program in programs if program.can_run(state)] for state in states}
+    numbers = range(1, rounds + 1)
+    able = {state: [program for program in programs if program.can_run(state)
+                    and any((state, number, program.name) not in done for number in numbers)]
+            for state in states}
     with tempfile.TemporaryDirectory() as folder:
         files = {}
         for place, state in enumerate(states):
             home = pathlib.Path(folder) / str(place)
             home.mkdir()
             files[state] = files_for(state, home, able[state], zenosphere)
-        for number in range(1, rounds + 1):
+        for number in numbers:
             for state in states:
                 warm_up, measured = length.collisions(state.spheres)
                 for program in able[state]:
