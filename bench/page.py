@@ -57,7 +57,8 @@ def _against_spheres(axes, table, flow):
         for program in table.programs():
             _curve(axes, table, program, places, **_style(table, program))
     axes.set_xscale("log")
-    axes.set_xlabel(f"spheres, at $\\phi$ = {grid.CUT_FRACTION} (grey: Zenosphere at other $\\phi$)")
+    axes.set_xlabel(f"spheres, at $\\phi$ = {grid.CUT_FRACTION}"
+                    " (grey: Zenosphere at other $\\phi$)")
 
 
 def _against_fraction(axes, table, flow):
@@ -88,7 +89,7 @@ def tables(table):
 
 def _cell(table, program, flow, place):
     rate = table.rate(program, grid.state_of(flow, *place))
-    return f"{rate / 1e6:.2f}" if rate else "–"
+    return f"{rate / 1e6:#.3g}" if rate else "–"
 
 
 def _without_empty_columns(heads, rows):

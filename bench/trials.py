@@ -80,7 +80,7 @@ class Spread:
         return Spread(statistics.median(numbers), min(numbers), max(numbers))
 
     def __str__(self):
-        return f"{self.median:.2f} ({self.least:.2f}-{self.most:.2f})"
+        return f"{self.median:#.3g} ({self.least:#.3g}-{self.most:#.3g})"
 
 
 def rates(trials, state, program):

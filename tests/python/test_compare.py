@@ -58,8 +58,8 @@ def test_table_has_median_and_spread_of_the_ratios_of_each_round(build, tmp_path
                    f"fake=bench:{fake_peer(tmp_path)}")
     assert done.returncode == 0, done.stderr
     lines = done.stdout.splitlines()
-    assert lines[2] == "| elastic, phi 0.3, N 4000 | Zenosphere | 0.50 (0.50-0.50) |  |"
-    assert lines[3] == ("| elastic, phi 0.3, N 4000 | fake | 0.40 (0.10-0.50) "
+    assert lines[2] == "| elastic, phi 0.3, N 4000 | Zenosphere | 0.500 (0.500-0.500) |  |"
+    assert lines[3] == ("| elastic, phi 0.3, N 4000 | fake | 0.400 (0.100-0.500) "
                         "| 1.25 (1.00-5.00) |")
 
 
