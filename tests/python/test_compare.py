@@ -70,7 +70,7 @@ def test_programs_take_turns(build, tmp_path):
     assert turns == ["Zenosphere", "fake", "Zenosphere", "fake"]
 
 
-def test_every_trial_of_a_peer_is_a_row(build, tmp_path):
+def test_every_trial_is_a_row(build, tmp_path):
     table = tmp_path / "results.csv"
     for _ in range(2):
         done = compare(build, "--rounds", "1", "--state", "4000,0.3", "--append", table,
@@ -79,7 +79,9 @@ def test_every_trial_of_a_peer_is_a_row(build, tmp_path):
     with open(table, newline="") as file:
         rows = list(csv.DictReader(file))
     assert [(row["peer"], row["ratio"], row["note"]) for row in rows] == [
-        ("fake", "1.000", "a, note"), ("fake", "1.250", "a, note")]
+        ("", "", "a, note"), ("fake", "1.000", "a, note"),
+        ("", "", "a, note"), ("fake", "1.250", "a, note")]
+    assert rows[0]["zenosphere_mcps"] == "0.5000"
     assert rows[0]["state"] == "elastic, phi 0.3, N 4000"
 
 
