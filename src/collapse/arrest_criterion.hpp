@@ -42,10 +42,21 @@ class ArrestCriterion {
   /// The pairs that repeated then, in order.
   const std::vector<Pair>& pairs() const { return pairs_; }
 
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.stretch_start_, self.newest_pair_, self.start_time_, self.seen_, self.collision_,
+            self.time_, self.pairs_);
+  }
+
  private:
   struct Seen {
     Pair pair;
     std::int64_t last;  ///< number of its last collision
+
+    template <class Self, class Archive>
+    static void archive_state(Self& self, Archive& archive) {
+      archive(self.pair, self.last);
+    }
   };
 
   void remember(const Collision<Dim, Real>& collision);

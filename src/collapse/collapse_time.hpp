@@ -39,6 +39,11 @@ class CollapseTime {
   std::optional<double> time() const { return time_; }
   std::optional<double> ratio() const { return shrinking_; }
 
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.flight_, self.ratio_, self.alike_, self.time_, self.shrinking_);
+  }
+
  private:
   static constexpr int kAlike = 4;  // comparisons of ratios: five ratios, six flights
 

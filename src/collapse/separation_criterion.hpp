@@ -45,6 +45,12 @@ class SeparationCriterion {
   std::optional<double> first_time() const { return first_time_; }
   std::optional<std::int64_t> last_collision() const { return last_collision_; }
 
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.collision_, self.time_, self.hits_, self.first_collision_, self.first_time_,
+            self.last_collision_);
+  }
+
  private:
   Real threshold_;
   Real clock_unit_;

@@ -24,7 +24,8 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box,
 }
 
 template <int Dim, class Real>
-std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::next_collision(double until) {
+std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(double until) {
+  waiting_ = false;
   const Instant<Real> limit = instant_at(until, box().clock_unit());
   // Without collisions the caller is asked again about once per sphere and crossing.
   for (std::int32_t patience = 2 * spheres() + 1024; patience > 0 && !stopped_before_; --patience) {
@@ -33,10 +34,8 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::next_collision(double
     if (at_rest_) return std::nullopt;
     const Real next =
         i == Calendar<Real>::kNone ? std::numeric_limits<Real>::infinity() : calendar_.time(i);
-    if (is_past(limit, next)) {
-      if (now_.units == limit.units) now_.remainder = std::max(now_.remainder, limit.remainder);
-      return std::nullopt;
-    }
+    waiting_ = is_past(limit, next);
+    if (waiting_) return std::nullopt;
     if (next >= box().clock_unit()) {
       rebase(next, limit);
       continue;
@@ -59,9 +58,16 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::next_collision(double
 }
 
 /// Whether an event at the clock's remainder `next` comes after `limit`.
+///
+/// Without shear the clock leaps over whole units to the next event, never just to the limit: where
+/// it is set back in two steps instead of one, rounding leaves a trace.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::is_past(const Instant<Real>& limit, const Real& next) const {
-  return now_.units > limit.units || (now_.units == limit.units && next > limit.remainder);
+  using std::floor;
+  const std::int64_t left = limit.units - now_.units;
+  if (left <= 0) return left < 0 || next > limit.remainder;
+  if (next < box().clock_unit() || box().is_sheared()) return false;
+  return floor(static_cast<Real>(next / box().clock_unit())) > static_cast<Real>(left);
 }
 
 template <int Dim, class Real>
@@ -268,11 +274,12 @@ void Simulation<Dim, Real>::rebase(const Real& next_event, const Instant<Real>& 
 }
 
 template <int Dim, class Real>
-void Simulation<Dim, Real>::rest_until(double time) {
-  assert(at_rest_);
+void Simulation<Dim, Real>::wait_until(double time) {
   const Instant<Real> wanted = instant_at(time, box().clock_unit());
-  if (wanted.units > now_.units) rebase(std::numeric_limits<Real>::infinity(), wanted);
-  now_.remainder = std::max(now_.remainder, wanted.remainder);
+  if (!box().is_sheared() && wanted.units > now_.units) {
+    rebase(std::numeric_limits<Real>::infinity(), wanted);
+  }
+  if (now_.units == wanted.units) now_.remainder = std::max(now_.remainder, wanted.remainder);
 }
 
 template <int Dim, class Real>

@@ -49,13 +49,35 @@ class Simulation {
   Simulation(const ShearBox<Dim, Real>& box, const Configuration<Dim, Real>& start,
              const ContactRules<Real>& rules, const Surroundings<Dim, Real>& surroundings = {});
 
+  /// The simulation that an archive holds; it goes on bit for bit as the archived one would.
+  ///
+  /// \param box, rules, surroundings  those of the archived one
+  /// Throws ArchiveError where the archive holds no state that could be.
+  Simulation(const ShearBox<Dim, Real>& box, const ContactRules<Real>& rules,
+             const Surroundings<Dim, Real>& surroundings, ArchiveReader& archive);
+  void archive_to(ArchiveWriter& archive) const;
+
   /// Goes on to the next collision and does it.
   ///
   /// \param until  time since the start at which to stop instead
   /// \return nothing if there is no collision up to `until`; or if only other events came for a
   ///         while, so that the caller can look at its limits and call again; or if
   ///         stopped_before() or is_at_rest()
-  std::optional<Collision<Dim, Real>> next_collision(double until);
+  std::optional<Collision<Dim, Real>> next_collision(double until) {
+    auto collision = collision_until(until);
+    if (waiting_) wait_until(until);
+    return collision;
+  }
+
+  /// As next_collision, but where nothing happens up to `until` the clock stays at the last event:
+  /// the state is one that a longer run goes through too. Then is_waiting() holds.
+  std::optional<Collision<Dim, Real>> collision_until(double until);
+
+  /// Nothing more happens up to the time that was last asked for.
+  bool is_waiting() const { return waiting_ || at_rest_; }
+
+  /// Lets the clock go on to `time` since the start, up to which nothing happens.
+  void wait_until(double time);
 
   /// Adds to the velocity of every sphere, now.
   ///
@@ -67,6 +89,11 @@ class Simulation {
     std::int32_t i;
     std::int32_t j;
     Real gap;
+
+    template <class Self, class Archive>
+    static void archive_state(Self& self, Archive& archive) {
+      archive(self.i, self.j, self.gap);
+    }
   };
 
   /// The pair before whose collision OverlapRule::stop has ended the run, if it has.
@@ -74,9 +101,6 @@ class Simulation {
 
   /// Nothing moves any more: there will be no further event unless by a kick.
   bool is_at_rest() const { return at_rest_; }
-
-  /// Lets the clock go on to `time` since the start while nothing moves.
-  void rest_until(double time);
 
   std::int32_t spheres() const { return spheres_.count(); }
   const ShearBox<Dim, Real>& box() const { return spheres_.box(); }
@@ -126,6 +150,12 @@ class Simulation {
     std::int8_t axis;       ///< of the crossing
     std::int8_t direction;  ///< likewise
     bool overlapping;
+
+    template <class Self, class Archive>
+    static void archive_state(Self& self, Archive& archive) {
+      archive(self.contact, self.crossing, self.partner, self.partner_collisions, self.axis,
+              self.direction, self.overlapping);
+    }
   };
 
   void predict(std::int32_t i);
@@ -144,6 +174,15 @@ class Simulation {
   void rebase(const Real& next_event, const Instant<Real>& limit);
   void schedule(std::int32_t i);
   bool is_past(const Instant<Real>& limit, const Real& next) const;
+  void require_possible(std::int32_t i) const;
+
+  /// What a checkpoint holds besides the spheres and their pending events.
+  template <class Self, class Archive>
+  static void archive_clock(Self& self, Archive& archive) {
+    archive(self.now_, self.last_collision_, self.last_change_, self.collisions_,
+            self.cell_crossings_, self.stale_events_, self.overlaps_ignored_, self.stopped_before_,
+            self.at_rest_);
+  }
 
   Pending& pending(std::int32_t i) { return pending_[static_cast<std::size_t>(i)]; }
 
@@ -161,6 +200,7 @@ class Simulation {
   std::int64_t overlaps_ignored_ = 0;
   std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;
+  bool waiting_ = false;
 };
 
 }  // namespace zenosphere

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -112,6 +113,20 @@ class SlidingCells {
 
   /// Every layer has slid by one more whole cell against the layer below it.
   void slide_by_one_cell();
+
+  /// Whole cells that a layer has slid, in [0, number of columns).
+  int whole_slide() const { return whole_slide_; }
+
+  /// All spheres, cell by cell and as each cell lists them: equal contact times are told apart by
+  /// that order, so that a checkpoint has to keep it.
+  std::vector<std::int32_t> order() const;
+
+  /// Restores slide and lists of new cells, without spheres, from those of others.
+  ///
+  /// \param order       each sphere once
+  /// \param cell_of     the cell of a sphere
+  void restore(int whole_slide, const std::vector<std::int32_t>& order,
+               const std::function<std::int32_t(std::int32_t)>& cell_of);
 
   /// All cells whose spheres can be touched from a cell during one clock unit: its own row of
   /// three and, under shear, four of each adjacent row, since the slide is a fraction of a cell.

@@ -5,6 +5,7 @@
 
 #include "engine/configuration.hpp"
 #include "engine/sliding_cells.hpp"
+#include "model/archive.hpp"
 #include "model/contact.hpp"
 #include "model/shear_box.hpp"
 
@@ -27,6 +28,11 @@ class Spheres {
     Real time;        ///< remainder of the clock
     std::int32_t cell;
     std::uint32_t collisions;
+
+    template <class Self, class Archive>
+    static void archive_state(Self& self, Archive& archive) {
+      archive(self.position, self.velocity, self.time, self.cell, self.collisions);
+    }
   };
 
   /// A face of a sphere's cell and when the sphere passes it; infinity: never.
@@ -39,6 +45,10 @@ class Spheres {
   /// \param acceleration  of every sphere, diameters/time^2
   Spheres(const ShearBox<Dim, Real>& box, const Configuration<Dim, Real>& start,
           const Vector& acceleration);
+
+  /// Spheres in the state that an archive holds. Throws ArchiveError where that cannot be.
+  Spheres(const ShearBox<Dim, Real>& box, const Vector& acceleration, ArchiveReader& archive);
+  void archive_to(ArchiveWriter& archive) const;
 
   std::int32_t count() const { return static_cast<std::int32_t>(spheres_.size()); }
   Sphere& operator[](std::int32_t i) { return spheres_[static_cast<std::size_t>(i)]; }
@@ -123,6 +133,7 @@ class Spheres {
 
  private:
   void place(const Configuration<Dim, Real>& start);
+  void require_possible(const Sphere& sphere) const;
   int column_beyond(const Sphere& sphere, int layers, const Real& when) const;
   Real profile_in_layer(const Sphere& sphere, const Real& when) const;
   Real slide(std::int64_t units, const Real& when) const;

@@ -42,6 +42,14 @@ class Measurements {
   /// The kinetic energy is that of the engine, the work that of the integrals above.
   double ledger_error(const Simulation<Dim, Real>& simulation) const;
 
+  /// \throws ArchiveError for the sums of another number of spheres
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    const std::size_t spheres = self.flight_start_.size();
+    archive(self.initial_energy_, self.sums_, self.sums_before_, self.flight_start_);
+    require_archived(self.flight_start_.size() == spheres, "sums of another number of spheres");
+  }
+
  private:
   struct Sums {
     std::array<Real, Dim * Dim> kinetic{};      ///< time integral of sum v_a v_b
@@ -53,6 +61,12 @@ class Measurements {
     Real dissipation = 0;
     Real normal_speed = 0;
     std::int64_t collisions = 0;
+
+    template <class Self, class Archive>
+    static void archive_state(Self& self, Archive& archive) {
+      archive(self.kinetic, self.collisional, self.wall_impulse, self.gravity_work, self.wall_work,
+              self.kick_work, self.dissipation, self.normal_speed, self.collisions);
+    }
   };
 
   void start_averages(const Simulation<Dim, Real>& simulation,

@@ -3,7 +3,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "model/archive.hpp"
+
 namespace zenosphere {
+
+/// The end of the clock [units]; with what is added in one step it fits 64 bits.
+inline constexpr std::int64_t most_units = 9'000'000'000'000'000'000;
 
 /// An instant as whole clock units and a remainder, so that its resolution does not decay with
 /// the length of a run.
@@ -14,6 +19,14 @@ template <class Real>
 struct Instant {
   std::int64_t units = 0;
   Real remainder = 0;  ///< in the case's time unit
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.units, self.remainder);
+    using std::isfinite;
+    require_archived(self.units >= 0 && self.units <= most_units && isfinite(self.remainder),
+                     "a time that there is not");
+  }
 };
 
 /// Time from `earlier` to `later`; zero if and only if the clock did not move.
@@ -35,9 +48,8 @@ double since_start(const Instant<Real>& instant, const Real& unit) {
 template <class Real>
 Instant<Real> instant_at(double time, const Real& unit) {
   using std::floor;
-  const double most_units = 9e18;  // fits std::int64_t
   const Real units = floor(static_cast<Real>(Real(time) / unit));
-  if (units > Real(most_units)) return {static_cast<std::int64_t>(most_units), 0};
+  if (units > Real(static_cast<double>(most_units))) return {most_units, 0};
   return {static_cast<std::int64_t>(units), Real(time) - units * unit};
 }
 

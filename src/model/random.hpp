@@ -2,7 +2,12 @@
 
 #include <cmath>
 #include <cstdint>
+#include <locale>
 #include <random>
+#include <sstream>
+#include <string>
+
+#include "model/archive.hpp"
 
 namespace zenosphere {
 
@@ -51,6 +56,24 @@ class Random {
   /// Uniform in {0, ..., count - 1}; the bias is below count / 2^53.
   std::int64_t below(std::int64_t count) {
     return static_cast<std::int64_t>(uniform() * static_cast<double>(count));
+  }
+
+  /// The generator as the text that the C++ standard fixes for it.
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    std::stringstream stream;
+    stream.imbue(std::locale::classic());
+    std::string text;
+    if constexpr (!Archive::reads) {
+      stream << self.generator_;
+      text = stream.str();
+    }
+    archive(text);
+    if constexpr (Archive::reads) {
+      stream.str(text);
+      stream >> self.generator_;
+      require_archived(!stream.fail(), "no random generator");
+    }
   }
 
  private:

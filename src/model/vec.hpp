@@ -32,6 +32,11 @@ struct Vec {
   friend constexpr Vec operator-(Vec a, const Vec& b) { return a -= b; }
   friend constexpr Vec operator*(Vec a, const Real& factor) { return a *= factor; }
   friend constexpr bool operator==(const Vec&, const Vec&) = default;
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.components);
+  }
 };
 
 /// Scalar product, summed from the first component to the last.

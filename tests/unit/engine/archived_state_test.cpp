@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include "engine/simulation.hpp"
+#include "engine/start.hpp"
+#include "model/archive.hpp"
+
+namespace zenosphere {
+namespace {
+
+/// A system in motion: what is archived in the middle of it.
+template <int D, class R>
+struct System {
+  static constexpr int Dim = D;
+  using Real = R;
+
+  static ShearBox<Dim, Real> box(double side, double shear_rate, bool walled) {
+    Vec<Dim, Real> sides;
+    for (int axis = 0; axis < Dim; ++axis) sides[axis] = Real(side);
+    return {sides, Real(shear_rate), 1, walled ? std::optional(Dim - 1) : std::nullopt};
+  }
+
+  static Configuration<Dim, Real> start(int spheres, const ShearBox<Dim, Real>& box) {
+    Random random(3);
+    Configuration<Dim, Real> start;
+    const int side = static_cast<int>(box.sides()[0]) - 1;
+    for (int i = 0; i < spheres; ++i) {  // on a lattice: many equal times, which must keep order
+      Vec<Dim, Real> place, velocity;
+      for (int axis = 0, rest = i; axis < Dim; ++axis, rest /= side) {
+        place[axis] = Real(0.75 + 1.1 * (rest % side));
+        velocity[axis] = Real(random.normal());
+      }
+      start.positions.push_back(place);
+      start.velocities.push_back(velocity);
+    }
+    return start;
+  }
+};
+
+template <class Gas>
+Bytes archived(const Gas& gas) {
+  ArchiveWriter archive;
+  gas.archive_to(archive);
+  return archive.release();
+}
+
+/// Some collisions further, or to the end where a gas comes to rest before.
+template <class Gas>
+void run(Gas& gas, std::int64_t collisions) {
+  const std::int64_t end = gas.collisions() + collisions;
+  while (gas.collisions() < end && gas.time() < 300 && !gas.is_at_rest()) gas.next_collision(300);
+}
+
+template <class S>
+class ArchivedState : public ::testing::Test {
+ protected:
+  using Real = typename S::Real;
+  using Gas = Simulation<S::Dim, Real>;
+
+  void expect_same_future(const ShearBox<S::Dim, Real>& box, OverlapRule rule,
+                          const Surroundings<S::Dim, Real>& surroundings) {
+    const ContactRules<Real> rules{Real(0.4), rule};
+    Gas gas(box, S::start(S::Dim == 1 ? 6 : 24, box), rules, surroundings);
+    for (int part = 0; part < 3; ++part) {
+      run(gas, 97);
+      const Bytes bytes = archived(gas);
+      ArchiveReader archive(bytes);
+      Gas again(box, rules, surroundings, archive);
+      archive.require_end();
+      ASSERT_EQ(archived(again), bytes);
+      run(gas, 97);
+      run(again, 97);
+      ASSERT_EQ(archived(again), archived(gas));
+    }
+  }
+};
+using Systems = ::testing::Types<System<1, double>, System<2, double>, System<3, double>,
+                                 System<2, Extended>, System<3, Quad>, System<2, Digits100>>;
+TYPED_TEST_SUITE(ArchivedState, Systems);
+
+TYPED_TEST(ArchivedState, CoolingGasGoesOnBitForBit) {
+  for (const auto rule : {OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded}) {
+    this->expect_same_future(TypeParam::box(8, 0, false), rule, {});
+  }
+}
+
+TYPED_TEST(ArchivedState, ShearedGasGoesOnBitForBit) {
+  if constexpr (TypeParam::Dim > 1) {
+    this->expect_same_future(TypeParam::box(8, 1.5, false), OverlapRule::rewind, {});
+  }
+}
+
+TYPED_TEST(ArchivedState, SpheresThatFallBetweenWallsGoOnBitForBit) {
+  using Number = typename TypeParam::Real;
+  constexpr int axis = TypeParam::Dim - 1;
+  Surroundings<TypeParam::Dim, Number> surroundings;
+  surroundings.acceleration[axis] = Number(-0.3);
+  surroundings.walls = Walls<Number>{.axis = axis, .restitution = Number(0.9)};
+  this->expect_same_future(TypeParam::box(8, 0, true), OverlapRule::immediate, surroundings);
+}
+
+class HostileState : public ::testing::Test {
+ protected:
+  using Gas = Simulation<2, double>;
+  using Setting = System<2, double>;
+
+  /// Whether the bytes are refused; where not, the state must at least be safe to go on with.
+  bool is_refused(const Bytes& other) const {
+    try {
+      ArchiveReader archive(other);
+      Gas gas(box, {}, {}, archive);
+      archive.require_end();
+      for (int call = 0; call < 20; ++call) gas.next_collision(5);
+      return false;
+    } catch (const ArchiveError&) {
+      return true;
+    }
+  }
+
+  ShearBox<2, double> box = Setting::box(8, 1, false);
+  Bytes bytes = archived(Gas(box, Setting::start(24, box), {}));
+};
+
+TEST_F(HostileState, EveryTruncationIsRefused) {
+  ASSERT_FALSE(is_refused(bytes));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    ASSERT_TRUE(is_refused({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}));
+  }
+}
+
+TEST_F(HostileState, NoChangedByteDoesHarm) {
+  int refused = 0;
+  for (std::size_t place = 0; place < bytes.size(); ++place) {
+    for (const int change : {0x01, 0x80, 0xff}) {
+      Bytes changed = bytes;
+      changed[place] = static_cast<std::uint8_t>(int{changed[place]} ^ change);
+      refused += is_refused(changed);
+    }
+  }
+  EXPECT_GT(refused, 100);  // cells, partners, exponents, lengths
+}
+
+}  // namespace
+}  // namespace zenosphere

@@ -1,0 +1,129 @@
+#include "model/archive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "model/clock.hpp"
+#include "model/random.hpp"
+#include "model/vec.hpp"
+
+namespace zenosphere {
+namespace {
+
+template <class T>
+Bytes archived(const T& value) {
+  ArchiveWriter archive;
+  archive(value);
+  return archive.release();
+}
+
+template <class T>
+T restored(const Bytes& bytes) {
+  ArchiveReader archive(bytes);
+  const T value = archive.next<T>();
+  archive.require_end();
+  return value;
+}
+
+template <class Real>
+class ArchivedNumber : public ::testing::Test {};
+using Reals = ::testing::Types<double, Extended, Quad, Digits100>;
+TYPED_TEST_SUITE(ArchivedNumber, Reals);
+
+TYPED_TEST(ArchivedNumber, ComesBackInEveryBit) {
+  using Real = TypeParam;
+  using Limits = std::numeric_limits<Real>;
+  using std::ldexp;
+  const Real third = Real(1) / 3;
+  for (const Real& value : {third, Real(-third), Real(0), Real(1), Real(1 - Limits::epsilon() / 2),
+                            Real(ldexp(third, 1000)), Real(ldexp(third, -1000)), Limits::infinity(),
+                            Real(-Limits::infinity())}) {
+    const Real back = restored<Real>(archived(value));
+    EXPECT_EQ(back, value);
+    EXPECT_EQ(back - third, value - third);  // not a number near it in fewer digits
+  }
+}
+
+TYPED_TEST(ArchivedNumber, KeepsTheSignOfZeroAndWhatIsNoNumber) {
+  using Real = TypeParam;
+  using std::isnan;
+  using std::signbit;
+  EXPECT_TRUE(signbit(restored<Real>(archived(Real(-Real(0))))));
+  EXPECT_FALSE(signbit(restored<Real>(archived(Real(0)))));
+  EXPECT_TRUE(isnan(restored<Real>(archived(std::numeric_limits<Real>::quiet_NaN()))));
+}
+
+TEST(Archive, NumbersTakeTheBytesOfTheirSignificantDigits) {
+  EXPECT_EQ(archived(1.5).size(), 8u);
+  EXPECT_EQ(archived(Extended(1.5)).size(), 10u);
+  EXPECT_EQ(archived(Quad(1.5)).size(), 16u);
+  EXPECT_EQ(archived(Digits100(1.5)).size(), 50u);  // kind, sign, exponent and 11 words
+}
+
+TEST(Archive, StructuresComeBack) {
+  using Pairs = std::vector<std::pair<std::int32_t, std::int64_t>>;
+  const Pairs pairs{{1, 2}, {-3, 1LL << 60}};
+  EXPECT_EQ(restored<Pairs>(archived(pairs)), pairs);
+  EXPECT_EQ(restored<std::optional<double>>(archived(std::optional<double>(2.5))), 2.5);
+  EXPECT_EQ(restored<std::optional<double>>(archived(std::optional<double>())), std::nullopt);
+  EXPECT_EQ(restored<std::string>(archived(std::string("a\0b", 3))), std::string("a\0b", 3));
+  const Vec<3, Quad> vector{{Quad(1) / 3, 2, 3}};
+  EXPECT_EQ((restored<Vec<3, Quad>>(archived(vector))), vector);
+  const auto instant = restored<Instant<double>>(archived(Instant<double>{7, 0.25}));
+  EXPECT_EQ(instant.units, 7);
+  EXPECT_EQ(instant.remainder, 0.25);
+}
+
+TEST(Archive, RandomNumbersGoOnWhereTheyWere) {
+  Random random(5);
+  for (int k = 0; k < 1000; ++k) random.uniform();
+  ArchiveWriter writer;
+  writer(random);
+  Random other(6);
+  ArchiveReader reader(writer.bytes());
+  reader(other);
+  for (int k = 0; k < 1000; ++k) ASSERT_EQ(other.uniform(), random.uniform());
+}
+
+TEST(Archive, EveryTruncationIsAnError) {
+  const std::vector<std::pair<std::string, double>> value{{"one", 1}, {"two", 2}};
+  const Bytes bytes = archived(value);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    EXPECT_THROW((restored<std::vector<std::pair<std::string, double>>>(part)), ArchiveError);
+  }
+}
+
+TEST(Archive, BytesThatAreLeftAreAnError) {
+  Bytes bytes = archived(1.0);
+  bytes.push_back(0);
+  EXPECT_THROW(restored<double>(bytes), ArchiveError);
+}
+
+TEST(Archive, LengthBeyondTheEndIsAnErrorAndNotAnAllocation) {
+  for (const std::uint64_t length : {std::uint64_t{2}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
+    Bytes bytes = archived(length);
+    bytes.push_back(0);
+    EXPECT_THROW(restored<std::string>(bytes), ArchiveError);
+    EXPECT_THROW(restored<std::vector<double>>(bytes), ArchiveError);
+    EXPECT_THROW(restored<std::vector<Digits100>>(bytes), ArchiveError);
+  }
+}
+
+TEST(Archive, NonsenseIsAnError) {
+  EXPECT_THROW(restored<bool>({2}), ArchiveError);
+  EXPECT_THROW(restored<std::optional<bool>>({7, 1}), ArchiveError);
+  EXPECT_THROW(restored<Instant<double>>(archived(Instant<double>{-1, 0})), ArchiveError);
+  EXPECT_THROW(restored<Instant<double>>(archived(Instant<double>{0, HUGE_VAL})), ArchiveError);
+  Bytes digits = archived(Digits100(1));
+  digits[0] = 3;
+  EXPECT_THROW(restored<Digits100>(digits), ArchiveError);
+  Random random(1);
+  const Bytes text = archived(std::string("one two three"));
+  ArchiveReader reader(text);
+  EXPECT_THROW(reader(random), ArchiveError);
+}
+
+}  // namespace
+}  // namespace zenosphere
