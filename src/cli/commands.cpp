@@ -17,7 +17,9 @@
 #include "io/derived.hpp"
 #include "io/info.hpp"
 #include "io/output_reader.hpp"
+#include "io/recovery.hpp"
 #include "model/errors.hpp"
+#include "run/resume.hpp"
 #include "run/run.hpp"
 
 namespace zenosphere {
@@ -74,14 +76,8 @@ void check_output(const Arguments& arguments) {
   }
 }
 
-int run(const Arguments& arguments) {
-  check_output(arguments);
-  const Case values = read_case(arguments.file, arguments.overrides);
-  if (!arguments.quiet && !arguments.output) {
-    fmt::print(stderr, "{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
-               arguments.file);
-  }
-  const Summary summary = run_case(values, run_options(arguments));
+/// Prints what came out and returns the exit code.
+int report(const Summary& summary, const Case& values, const Arguments& arguments) {
   if (!arguments.quiet && is_terminal()) fmt::print(stderr, "\r{:<78}\r", "");
   if (arguments.json) {
     print(to_json(summary, values.system.dimension) + '\n');
@@ -89,6 +85,23 @@ int run(const Arguments& arguments) {
     print(to_text(summary, values.system.dimension));
   }
   return exit_code_of(summary, arguments);
+}
+
+int run(const Arguments& arguments) {
+  check_output(arguments);
+  const Case values = read_case(arguments.file, arguments.overrides);
+  if (!arguments.quiet && !arguments.output) {
+    fmt::print(stderr, "{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
+               arguments.file);
+  }
+  return report(run_case(values, run_options(arguments)), values, arguments);
+}
+
+int resume(const Arguments& arguments) {
+  RecoveredOutput output = recover(arguments.file);
+  const Case values = case_to_resume(output, arguments.overrides);
+  const Summary summary = resume_case(values, std::move(output), run_options(arguments));
+  return report(summary, values, arguments);
 }
 
 /// Every line behind a `#`, so that what `check` prints is a case file again.
@@ -120,17 +133,31 @@ void add_overrides(CLI::App& command, Arguments& arguments) {
       ->allow_extra_args(false);
 }
 
+void add_reporting(CLI::App& command, Arguments& arguments) {
+  command.add_flag("--json", arguments.json, "print the summary as one JSON object");
+  command.add_flag("--quiet", arguments.quiet, "no progress line, no summary for people");
+  command.add_flag("--fail-on-collapse", arguments.fail_on_collapse,
+                   "exit with 3 if the verdict is true");
+}
+
 void add_run(CLI::App& app, Arguments& arguments) {
   CLI::App& command = *app.add_subcommand("run", "run a case and print what came out");
   command.add_option("case", arguments.file, "case file")->required()->type_name("CASE.toml");
   command.add_option("-o,--output", arguments.output, "keep collisions and snapshots here")
       ->type_name("OUT.h5");
   add_overrides(command, arguments);
-  command.add_flag("--json", arguments.json, "print the summary as one JSON object");
-  command.add_flag("--quiet", arguments.quiet, "no progress line, no summary for people");
+  add_reporting(command, arguments);
   command.add_flag("--overwrite", arguments.overwrite, "replace an existing output file");
-  command.add_flag("--fail-on-collapse", arguments.fail_on_collapse,
-                   "exit with 3 if the verdict is true");
+}
+
+void add_resume(CLI::App& app, Arguments& arguments) {
+  CLI::App& command = *app.add_subcommand(
+      "resume", "go on with a run that was cut off, or make a finished one longer");
+  command.add_option("file", arguments.file, "output file of a run")
+      ->required()
+      ->type_name("OUT.h5");
+  add_overrides(command, arguments);
+  add_reporting(command, arguments);
 }
 
 void add_check(CLI::App& app, Arguments& arguments) {
@@ -160,6 +187,7 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   Arguments arguments;
   add_run(app, arguments);
+  add_resume(app, arguments);
   add_check(app, arguments);
   add_info(app, arguments);
   try {
@@ -175,6 +203,7 @@ int run_command_line(int argc, char** argv) {
     return exit_code::wrong_input;
   }
   if (app.got_subcommand("run")) return run(arguments);
+  if (app.got_subcommand("resume")) return resume(arguments);
   if (app.got_subcommand("check")) return check(arguments);
   return info(arguments);
 }

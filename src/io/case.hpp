@@ -88,8 +88,10 @@ struct Case {
   struct Output {
     std::optional<double> snapshot_interval;  ///< time; none: only the first and the last state
     CollisionLog collision_log = CollisionLog::all;
-    std::int64_t log_first = 1;            ///< first collision of a windowed log
-    std::optional<std::int64_t> log_last;  ///< last collision of a windowed log
+    std::int64_t log_first = 1;                         ///< first collision of a windowed log
+    std::optional<std::int64_t> log_last;               ///< last collision of a windowed log
+    double checkpoint_seconds = 60;                     ///< wall time between checkpoints
+    std::optional<std::int64_t> checkpoint_collisions;  ///< collisions between checkpoints
   } output;
 
   std::string text;  ///< the file as it was read, byte for byte

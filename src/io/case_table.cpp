@@ -155,6 +155,12 @@ constexpr std::array key_table{
         from_to(1, most_collisions), &only_windowed, "first collision stored"},
     Key{"output", "log_last", optional, [](Case& c) -> Slot { return &c.output.log_last; },
         from_to(1, most_collisions), &only_windowed, "last collision stored"},
+    Key{"output", "checkpoint_seconds", optional,
+        [](Case& c) -> Slot { return &c.output.checkpoint_seconds; }, above(0), nullptr,
+        "wall time between checkpoints, at least [s]"},
+    Key{"output", "checkpoint_collisions", optional,
+        [](Case& c) -> Slot { return &c.output.checkpoint_collisions; },
+        from_to(1, most_collisions), nullptr, "a checkpoint after every so many"},
 };
 
 }  // namespace

@@ -115,6 +115,11 @@ Handle opened_file(const std::filesystem::path& path) {
   return owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()));
 }
 
+Handle reopened_file(const std::filesystem::path& path) {
+  const Handle access = file_access();
+  return owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()));
+}
+
 bool is_hdf5(const std::filesystem::path& path) {
   silence();
   return H5Fis_hdf5(path.c_str()) > 0;
@@ -144,6 +149,10 @@ bool contains(const Handle& parent, const std::string& name) {
   return checked(H5Lexists(parent.id(), name.c_str(), H5P_DEFAULT)) > 0;
 }
 
+void remove(const Handle& parent, const std::string& name) {
+  if (contains(parent, name)) checked(H5Ldelete(parent.id(), name.c_str(), H5P_DEFAULT));
+}
+
 void link(const Handle& parent, const std::string& existing, const std::string& name) {
   checked(H5Lcreate_hard(parent.id(), existing.c_str(), parent.id(), name.c_str(), H5P_DEFAULT,
                          H5P_DEFAULT));
@@ -170,6 +179,10 @@ void write_attribute(const Handle& object, const std::string& name, std::int64_t
   write_numbers(object, name, H5T_STD_I64LE, scalar_space(), &value);
 }
 
+void write_attribute(const Handle& object, const std::string& name, double value) {
+  write_numbers(object, name, H5T_IEEE_F64LE, scalar_space(), &value);
+}
+
 void write_attribute(const Handle& object, const std::string& name,
                      const std::vector<std::int64_t>& values) {
   write_numbers(object, name, H5T_STD_I64LE, simple_space({values.size()}), values.data());
@@ -190,11 +203,20 @@ std::int64_t number_attribute(const Handle& object, const std::string& name) {
   return value;
 }
 
+double real_attribute(const Handle& object, const std::string& name) {
+  const Handle attribute = owned(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT));
+  double value = 0;
+  checked(H5Aread(attribute.id(), H5T_IEEE_F64LE, &value));
+  return value;
+}
+
 void write_text(const Handle& parent, const std::string& name, std::string_view text) {
   const Handle type = text_type();
   const Handle space = scalar_space();
-  const Handle dataset = owned(H5Dcreate2(parent.id(), name.c_str(), type.id(), space.id(),
-                                          H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  const Handle dataset = contains(parent, name)
+                             ? opened(parent, name)
+                             : owned(H5Dcreate2(parent.id(), name.c_str(), type.id(), space.id(),
+                                                H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   const std::string terminated(text);
   const char* pointer = terminated.c_str();
   checked(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer));

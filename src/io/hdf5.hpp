@@ -43,6 +43,8 @@ class Handle {
 Handle created_file(const std::filesystem::path& path);
 /// An existing file, to read only.
 Handle opened_file(const std::filesystem::path& path);
+/// An existing file, to read and write.
+Handle reopened_file(const std::filesystem::path& path);
 /// Whether a readable file has the signature of HDF5.
 bool is_hdf5(const std::filesystem::path& path);
 /// Hands everything written so far to the operating system. Where the system refuses the size that
@@ -54,6 +56,8 @@ Handle created_group(const Handle& parent, const std::string& path);
 Handle opened(const Handle& parent, const std::string& path);
 /// Whether there is a link `name` (one part) in `parent`.
 bool contains(const Handle& parent, const std::string& name);
+/// Removes the link `name` (one part) from `parent`, if it is there.
+void remove(const Handle& parent, const std::string& name);
 /// A second, equal name for the object at `existing`.
 void link(const Handle& parent, const std::string& existing, const std::string& name);
 
@@ -63,13 +67,16 @@ void write_attribute(const Handle& object, const std::string& name,
 /// The number attributes are written in place where they exist already.
 void write_attribute(const Handle& object, const std::string& name, std::uint8_t value);
 void write_attribute(const Handle& object, const std::string& name, std::int64_t value);
+void write_attribute(const Handle& object, const std::string& name, double value);
 void write_attribute(const Handle& object, const std::string& name,
                      const std::vector<std::int64_t>& values);
 
 std::string text_attribute(const Handle& object, const std::string& name);
 std::int64_t number_attribute(const Handle& object, const std::string& name);
+double real_attribute(const Handle& object, const std::string& name);
 
-/// A scalar dataset of one UTF-8 string; it ends at the first zero byte.
+/// A scalar dataset of one UTF-8 string; it ends at the first zero byte. Written in place where it
+/// exists already.
 void write_text(const Handle& parent, const std::string& name, std::string_view text);
 std::string text(const Handle& parent, const std::string& path);
 

@@ -39,6 +39,13 @@ Handle selected_rows(const Handle& dataset, std::int64_t first, const std::vecto
   return space;
 }
 
+/// Access without a cache of chunks: each write goes to the system at once.
+Handle uncached() {
+  Handle access = owned(H5Pcreate(H5P_DATASET_ACCESS));
+  checked(H5Pset_chunk_cache(access.id(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT));
+  return access;
+}
+
 std::vector<std::int64_t> shape_of(const Handle& dataset) {
   const Handle space = owned(H5Dget_space(dataset.id()));
   std::vector<hsize_t> dims(checked(H5Sget_simple_extent_ndims(space.id())));
@@ -76,10 +83,26 @@ Series::Series(const Handle& parent, const std::string& name, Type type,
   checked(H5Pset_chunk(creation.id(), rank, chunk.data()));
   checked(H5Pset_fill_time(creation.id(), H5D_FILL_TIME_NEVER));  // no row is seen before it is set
   checked(H5Pset_obj_track_times(creation.id(), false));          // same run, same bytes
-  const Handle access = owned(H5Pcreate(H5P_DATASET_ACCESS));
-  checked(H5Pset_chunk_cache(access.id(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT));
+  const Handle access = uncached();
   dataset_ = owned(H5Dcreate2(parent.id(), name.c_str(), number_type(type), space.id(), H5P_DEFAULT,
                               creation.id(), access.id()));
+}
+
+Series::Series(const Handle& parent, const std::string& name, Type type) : type_(type) {
+  const Handle access = uncached();
+  dataset_ = owned(H5Dopen2(parent.id(), name.c_str(), access.id()));
+  const auto all = shape_of(dataset_);
+  if (all.empty()) throw Error(name + " is a single value where rows are expected");
+  length_ = all.front();
+  row_shape_.assign(all.begin() + 1, all.end());
+  for (const auto extent : row_shape_) row_size_ *= extent;
+  if (row_size_ < 1) throw Error(name + " has rows without numbers");
+}
+
+void Series::truncate(std::int64_t length) {
+  if (length > length_) throw Error("there are fewer rows than there should be");
+  checked(H5Dset_extent(dataset_.id(), extents(length, row_shape_).data()));
+  length_ = length;
 }
 
 void Series::append_rows(const void* rows, std::int64_t count) {

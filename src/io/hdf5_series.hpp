@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <string>
@@ -54,6 +55,9 @@ class Series {
   Series(const Handle& parent, const std::string& name, Type type,
          const std::vector<std::int64_t>& row_shape, std::int64_t rows_per_chunk);
 
+  /// The series that is there already.
+  Series(const Handle& parent, const std::string& name, Type type);
+
   /// Appends whole rows, flat. After an `Error` the file is to be abandoned.
   template <class T>
   void append(const std::vector<T>& values) {
@@ -62,7 +66,19 @@ class Series {
     append_rows(values.data(), static_cast<std::int64_t>(values.size()) / row_size_);
   }
 
+  /// Puts whole rows, flat, in the place of all that are there.
+  template <class T>
+  void replace(const std::vector<T>& values) {
+    truncate(std::min(length_, static_cast<std::int64_t>(values.size()) / row_size_));
+    length_ = 0;  // so that they are written over
+    append(values);
+  }
+
   std::int64_t length() const { return length_; }
+  const std::vector<std::int64_t>& row_shape() const { return row_shape_; }
+
+  /// Drops the rows behind the first `length`. Throws Error where there are fewer.
+  void truncate(std::int64_t length);
 
  private:
   void append_rows(const void* rows, std::int64_t count);

@@ -3,69 +3,42 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
+#include <optional>
 
+#include "io/journal.hpp"
+#include "io/output_datasets.hpp"
+#include "io/records.hpp"
+#include "io/recovery.hpp"
 #include "io/summary.hpp"
 
 namespace zenosphere {
 
-/// The format that `OutputFile` writes; docs/file-format.md tells it.
-inline constexpr std::int64_t output_format_version = 1;
-
-/// The whole system at one time, in laboratory coordinates and row-major.
-struct Snapshot {
-  std::int64_t step = 0;  ///< collisions done
-  double time = 0;
-  std::vector<double> positions;   ///< N x D, diameters, every component in [0, L)
-  std::vector<double> velocities;  ///< N x D, diameters/time
-  std::vector<double> box_edges;   ///< D x D, diameters; the rows are the box vectors
-};
-
-/// One line of the collision log.
-struct CollisionRow {
-  std::int64_t k = 0;  ///< number of the collision, from 1
-  double time = 0;
-  std::int32_t i = 0, j = 0;  ///< the two spheres, i < j, from 0
-  double gap = 0;             ///< of the pair that collides next, diameters
-  double normal_speed = 0;    ///< diameters/time
-  std::uint8_t flags = 0;     ///< sum of collision_flag values
-};
-
-namespace collision_flag {
-inline constexpr std::uint8_t hit = 1;           ///< gap at or below the threshold
-inline constexpr std::uint8_t overlap = 2;       ///< overlapped while approaching
-inline constexpr std::uint8_t absorbed = 4;      ///< changed no bit of a velocity
-inline constexpr std::uint8_t receding = 8;      ///< receding by rounding: no impulse
-inline constexpr std::uint8_t clock_stood = 16;  ///< the clock did not move forward
-}  // namespace collision_flag
-
-/// The output of one run, in HDF5 after H5MD 1.1.
+/// The output of one run that goes on: an HDF5 file after H5MD 1.1, and a journal beside it.
 ///
-/// The file has its final name as soon as the object exists, and says `complete` = 0 until
-/// `finish`. Each function throws `OutputError` with the name of the file and the system's reason;
-/// after that the object is good only for being destroyed. Destroying it unfinished writes what is
-/// buffered and closes the file, silently; it stays readable and incomplete.
+/// The HDF5 file is complete and consistent at every moment; it is only ever replaced as a whole,
+/// in one step. What comes later goes to the next HDF5 file, `OUT.h5.part`, until the first
+/// checkpoint, and then to the journal, which is folded into a new HDF5 file when it has outgrown
+/// the old one. docs/decisions/0006-checkpoints-and-journal.md tells why.
+///
+/// Each function throws `OutputError` with the name of the file, the system's reason, what is kept
+/// and how to go on; after that the object is good only for being destroyed. Destroying it
+/// unfinished drops what came after the last checkpoint, as a crash does.
 class OutputFile {
  public:
-  struct Header {
-    std::string case_text;      ///< the case file as it was read
-    std::string resolved_case;  ///< TOML, every key with the value used
-    int dimension = 0;
-    std::int64_t spheres = 0;
-    std::vector<std::string> boundary{};  ///< D words, "periodic" or "none"; empty: periodic
-  };
+  using Header = OutputHeader;
   enum class Existing { refuse, replace };
 
   /// Throws the OutputError that the constructor would, where it can be known without creating the
   /// file: before hours are spent on what cannot be kept.
   static void check_target(const std::filesystem::path& path, Existing existing);
 
-  /// Creates the file. Where that fails, nothing new is left behind and an old file is untouched.
+  /// Makes the output of a new run and locks it; it gets its name with `begin`.
   ///
-  /// \param existing  `replace` puts the new file in the place of an old one in one step, at the
-  ///                  end of this constructor: construct this last, once the run can start
+  /// \param existing  `replace` puts the new file in the place of an old one in one step, at
+  ///                  `begin`; before that an old file is untouched
   OutputFile(const std::filesystem::path& path, const Header& header, Existing existing);
+  /// Takes over the output of a run that is to go on; nothing is written before `go_on`.
+  explicit OutputFile(RecoveredOutput recovered);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
@@ -76,23 +49,58 @@ class OutputFile {
   /// Appends a row to the collision log, in buffers of 65536 rows (2.7 MB).
   void append(const CollisionRow& row);
 
-  /// Hands everything so far to the system: other processes can read it while the run goes on, and
-  /// it outlives this one.
-  void flush();
+  /// Gives a new output its name, with the checkpoint of the start in it.
+  void begin(Checkpoint checkpoint);
 
-  /// Writes the summary and the marks of completeness, and closes. The last call.
+  /// Goes on with a recovered output behind its last checkpoint.
+  ///
+  /// \param resolved_case  of the run from now on
+  void go_on(const std::string& resolved_case);
+
+  /// Makes sure that the run can go on from here, whatever happens: all is on the disk when this
+  /// returns.
+  ///
+  /// \param checkpoint  its counts of rows and snapshots are filled in here
+  void checkpoint(Checkpoint checkpoint);
+
+  /// Folds the journal into the HDF5 file if it has outgrown it. To be called after `checkpoint`.
+  void fold_if_due();
+
+  /// The checkpoint from which a finished run can be extended: what is written after this call
+  /// belongs to the end of the run.
+  void end(Checkpoint checkpoint);
+
+  /// Writes summary, the checkpoint of `end` and the marks of completeness: one file is left.
   void finish(const Summary& summary);
 
- private:
-  struct Contents;  // the HDF5 side; absent once closed
+  /// Throws where the files of this output are no longer under their names: what is written then is
+  /// lost to everybody.
+  void require_in_place() const;
 
+ private:
   template <class Action>
   void guarded(Action action);
+  void flush_rows();
+  void keep_in_mind(Checkpoint checkpoint);
+  Checkpoint counted(Checkpoint checkpoint) const;
+  Checkpoint fold();
+  void publish();
+  std::string what_is_kept() const;
 
-  std::filesystem::path path_;
-  int dimension_;
-  std::int64_t spheres_;
-  std::unique_ptr<Contents> contents_;
+  std::filesystem::path path_;    ///< as the user calls it
+  std::filesystem::path target_;  ///< without symbolic links
+  std::filesystem::path part_path_;
+  Existing existing_;
+  Journal journal_;
+  std::unique_ptr<OutputDatasets> part_;  ///< where new data goes as long as the journal is empty
+  std::optional<FileIdentity> published_{};  ///< of the HDF5 file under its name
+  std::string resolved_case_{};              ///< of a recovered run
+  Basis basis_{};                            ///< of the journal
+  Checkpoint last_{};                        ///< the last one that is safe; without its state
+  Checkpoint ending_{};                      ///< as long as there is no journal to hold it
+  CollisionRows buffer_{};
+  std::int64_t log_rows_ = 0;
+  std::int64_t snapshots_ = 0;
 };
 
 }  // namespace zenosphere

@@ -1,5 +1,6 @@
 #include "io/output_reader.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <utility>
@@ -7,7 +8,8 @@
 
 #include "io/hdf5.hpp"
 #include "io/hdf5_series.hpp"
-#include "io/output_file.hpp"
+#include "io/journal.hpp"
+#include "io/output_datasets.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -93,6 +95,25 @@ void read_end(const Handle& file, OutputInfo& info) {
   }
 }
 
+void read_checkpoint(const Handle& own, const fs::path& path, OutputInfo& info) {
+  const Handle group = hdf5::opened(own, "checkpoint");
+  Checkpoint checkpoint;
+  checkpoint.collisions = hdf5::number_attribute(group, "collisions");
+  checkpoint.time = hdf5::real_attribute(group, "time");
+  checkpoint.log_rows = hdf5::number_attribute(group, "log_rows");
+  checkpoint.snapshots = hdf5::number_attribute(group, "snapshots");
+  checkpoint.wall_seconds = hdf5::real_attribute(group, "wall_seconds");
+  if (hdf5::contains(group, "summary")) checkpoint.summary = hdf5::text(group, "summary");
+  const std::int64_t state_size = extent(group, "state", 0);
+  if (static_cast<std::uintmax_t>(state_size) > fs::file_size(path)) {
+    throw hdf5::Error("the checkpoint is larger than the file");
+  }
+  info.basis = {checkpoint.collisions, checkpoint.log_rows, checkpoint.snapshots,
+                static_cast<std::uint64_t>(state_size),
+                static_cast<std::uint32_t>(hdf5::number_attribute(group, "checksum"))};
+  info.checkpoint = std::move(checkpoint);
+}
+
 void require_shape(const fs::path& path, const OutputInfo& info, int dimension,
                    std::int64_t spheres) {
   if (info.snapshots < 1) reject(path, "holds no snapshot (its run was ended too early)");
@@ -118,7 +139,9 @@ std::vector<double> last_row(const Handle& file, const std::string& path,
 
 }  // namespace
 
-OutputInfo read_output_info(const fs::path& path) {
+namespace {
+
+OutputInfo read_hdf5(const fs::path& path) {
   try {
     const Handle file = opened_output(path);
     OutputInfo info;
@@ -129,9 +152,68 @@ OutputInfo read_output_info(const fs::path& path) {
     read_provenance(own, info);
     read_extents(file, info);
     read_end(file, info);
+    if (hdf5::contains(own, "checkpoint")) read_checkpoint(own, path, info);
     return info;
   } catch (const hdf5::Error& error) {
     reject(path, fmt::format("cannot be read ({}); it may be damaged", error.what()));
+  }
+}
+
+/// Adds what the journal knows. Returns whether it goes on from this file.
+bool add_journal(const fs::path& path, const Basis& basis, OutputInfo& info) {
+  std::error_code ignored;
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
+  if (!fs::exists(journal_of(target), ignored)) return true;
+  try {
+    const FileDescriptor journal = FileDescriptor(journal_of(target), O_RDONLY);
+    if (JournalReader(journal).basis() != basis) return false;
+    JournalContents contents = contents_of(journal, Thoroughness::checkpoints);
+    if (contents.resolved_case) info.resolved_case = *std::move(contents.resolved_case);
+    if (!contents.checkpoint) return true;
+    info.checkpoint = *std::move(contents.checkpoint);
+    info.is_extended = info.complete;
+    return true;
+  } catch (const std::runtime_error& error) {  // of the system, or nonsense in the file
+    reject(journal_of(path), fmt::format("cannot be read ({}); it may be damaged", error.what()));
+  }
+}
+
+}  // namespace
+
+OutputInfo read_output_info(const fs::path& path) {
+  constexpr int tries = 3;  // a running run may put a new file in place between two looks
+  for (int attempt = 1;; ++attempt) {
+    const auto before = identity_of(path);
+    OutputInfo info = read_hdf5(path);
+    if (!info.checkpoint) return info;
+    const bool fits = add_journal(path, info.basis, info);
+    if (!fits && attempt < tries && identity_of(path) != before) continue;
+    if (info.complete) return info;
+    info.snapshots = info.checkpoint->snapshots;
+    info.logged_collisions = info.checkpoint->log_rows;
+    info.last_collision = info.checkpoint->collisions;
+    info.last_time = info.checkpoint->time;
+    return info;
+  }
+}
+
+Checkpoint read_checkpoint(const fs::path& path) {
+  OutputInfo info = read_hdf5(path);
+  if (!info.checkpoint) {
+    reject(path, fmt::format("holds no checkpoint (zenosphere {} wrote none); run the case again",
+                             info.program_version));
+  }
+  try {
+    Checkpoint checkpoint = *std::move(info.checkpoint);
+    checkpoint.state =
+        hdf5::values<std::uint8_t>(opened_output(path), "zenosphere/checkpoint/state");
+    if (Basis::of(checkpoint) != info.basis) throw hdf5::Error("the checksum is another one");
+    return checkpoint;
+  } catch (const hdf5::Error& error) {
+    reject(path,
+           fmt::format("has a checkpoint that cannot be read ({}); it is damaged, run the case "
+                       "again",
+                       error.what()));
   }
 }
 
@@ -141,7 +223,7 @@ bool is_hdf5_file(const fs::path& path) {
 }
 
 LastSnapshot read_last_snapshot(const fs::path& path, int dimension, std::int64_t spheres) {
-  const OutputInfo info = read_output_info(path);
+  const OutputInfo info = read_hdf5(path);
   require_shape(path, info, dimension, spheres);
   try {
     const Handle file = opened_output(path);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/records.hpp"
+
 namespace zenosphere {
 
 /// What an output file says about itself and its run.
@@ -24,8 +26,14 @@ struct OutputInfo {
   std::int64_t logged_collisions = 0;
   bool log_complete = false;  ///< every collision of a finished run is in the log
 
-  std::int64_t last_collision = 0;  ///< the farthest that snapshots and log reach
+  std::int64_t last_collision = 0;  ///< the farthest that snapshots, log and checkpoint reach
   double last_time = 0;             ///< its time
+
+  /// The last checkpoint, in the file or in its journal, without its state; absent in files of
+  /// programs that made none.
+  std::optional<Checkpoint> checkpoint;
+  Basis basis;               ///< what a journal must go on from: the checkpoint in the file
+  bool is_extended = false;  ///< complete, and a longer run has a checkpoint in the journal
 };
 
 /// The last state that an output file holds, in laboratory coordinates and row-major.
@@ -37,11 +45,17 @@ struct LastSnapshot {
   std::vector<double> box_edges;   ///< D x D, diameters; the rows are the box vectors
 };
 
-/// Reads an output file, of a finished, an interrupted or a running run.
+/// Reads an output file, of a finished, an interrupted or a running run, and looks into the journal
+/// beside it. Nothing is written or locked.
 ///
 /// Throws InputError where there is no file, it is not HDF5, not of this program, of a newer
 /// format, or damaged.
 OutputInfo read_output_info(const std::filesystem::path& path);
+
+/// Reads the checkpoint in an output file, whatever its journal holds.
+///
+/// Throws InputError as read_output_info does, and where the file holds no whole checkpoint.
+Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 /// Whether there is a file that begins as HDF5 files do.
 bool is_hdf5_file(const std::filesystem::path& path);

@@ -36,7 +36,7 @@ void RandomDriving<Dim, Real>::kick(Simulation<Dim, Real>& simulation,
   }
   measurements.kick(simulation, changes);
   ++kicks_;
-  next_kick_ = static_cast<double>(kicks_ + 1) * interval_;  // no drift by rounding
+  schedule();
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class RandomDriving<Dim, Real>;

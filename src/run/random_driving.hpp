@@ -29,7 +29,18 @@ class RandomDriving {
   /// Kicks all spheres now and sets the next kick an interval later.
   void kick(Simulation<Dim, Real>& simulation, Measurements<Dim, Real>& measurements);
 
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    if (!self.is_on()) return;
+    archive(self.random_, self.kicks_);
+    require_archived(self.kicks_ >= 0, "a count that there is not");
+    if constexpr (Archive::reads) self.schedule();
+  }
+
  private:
+  /// Sets the time of the next kick: no sum of intervals, so that it does not drift by rounding.
+  void schedule() { next_kick_ = static_cast<double>(kicks_ + 1) * interval_; }
+
   Random random_;
   double interval_;
   double step_;  ///< standard deviation of each component of a kick, diameters/time

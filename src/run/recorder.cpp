@@ -15,6 +15,17 @@ Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& s
 }
 
 template <int Dim, class Real>
+Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
+                              OutputFile& file, ArchiveReader& archive)
+    : output_(values.output),
+      gap_threshold_(values.collapse.gap_threshold),
+      clock_unit_(simulation.box().clock_unit()),
+      file_(file) {
+  archive_members(*this, archive);
+  schedule_snapshot();
+}
+
+template <int Dim, class Real>
 void Recorder<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
   if (output_.collision_log == CollisionLog::none) return;
   observe_next(collision.gap_before);
@@ -55,10 +66,16 @@ void Recorder<Dim, Real>::take_snapshot(const Simulation<Dim, Real>& simulation)
   last_snapshot_time_ = simulation.time();
   last_snapshot_step_ = simulation.collisions();
   if (!output_.snapshot_interval) return;
-  // Multiples of the interval, so that the times do not drift by rounding.
   while (simulation.has_reached(static_cast<double>(snapshots_) * *output_.snapshot_interval)) {
     ++snapshots_;
   }
+  schedule_snapshot();
+}
+
+/// Multiples of the interval, so that the times do not drift by rounding.
+template <int Dim, class Real>
+void Recorder<Dim, Real>::schedule_snapshot() {
+  if (!output_.snapshot_interval) return;
   next_snapshot_ = static_cast<double>(snapshots_) * *output_.snapshot_interval;
 }
 

@@ -19,6 +19,11 @@ class Recorder {
   /// \param file  outlives the recorder
   Recorder(const Case& values, const Simulation<Dim, Real>& simulation, OutputFile& file);
 
+  /// The recorder that an archive holds, which took the snapshot of the start already.
+  Recorder(const Case& values, const Simulation<Dim, Real>& simulation, OutputFile& file,
+           ArchiveReader& archive);
+  void archive_to(ArchiveWriter& archive) const { archive_members(*this, archive); }
+
   void observe(const Collision<Dim, Real>& collision);
 
   /// The gap, at the collision observed last, of the pair that collides next.
@@ -34,7 +39,14 @@ class Recorder {
   void finish(const Simulation<Dim, Real>& simulation);
 
  private:
+  template <class Self, class Archive>
+  static void archive_members(Self& self, Archive& archive) {
+    archive(self.waiting_, self.snapshots_, self.last_snapshot_time_, self.last_snapshot_step_);
+    require_archived(self.snapshots_ >= 0, "a count that there is not");
+  }
+
   void append(const CollisionRow& row);
+  void schedule_snapshot();
   Snapshot snapshot(const Simulation<Dim, Real>& simulation) const;
 
   const Case::Output output_;

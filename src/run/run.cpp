@@ -1,6 +1,6 @@
 #include "run/run.hpp"
 
-#include <sys/resource.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +15,9 @@
 #include "flow/measurements.hpp"
 #include "io/case_file.hpp"
 #include "io/derived.hpp"
-#include "model/real.hpp"
+#include "model/errors.hpp"
+#include "run/arithmetic.hpp"
+#include "run/checkpoint_cadence.hpp"
 #include "run/random_driving.hpp"
 #include "run/recorder.hpp"
 #include "run/setup.hpp"
@@ -25,41 +27,53 @@ namespace zenosphere {
 
 namespace {
 
-std::vector<std::string> boundary_words(int dimension, std::optional<int> closed_axis) {
-  std::vector<std::string> words(static_cast<std::size_t>(dimension), "periodic");
-  if (closed_axis) words[static_cast<std::size_t>(*closed_axis)] = "none";
-  return words;
-}
+/// What a checkpoint holds; to be raised whenever the states that follow it change.
+constexpr std::uint32_t checkpoint_version = 1;
 
 /// One run: the simulation and everything that observes it.
 template <int Dim, class Real>
 class Run {
  public:
+  /// A run from its start.
   Run(const Case& values, const RunOptions& options)
+      : Run(values, options, new_simulation<Dim, Real>(values)) {
+    if (!options.output) return;
+    file_.emplace(*options.output,
+                  OutputFile::Header{values.text, resolved_toml(values), Dim, values.system.spheres,
+                                     boundary_words(values)},
+                  options.existing);
+    recorder_.emplace(values, simulation_, *file_);
+    file_->begin(checkpoint());  // whatever happens now, the start is kept
+  }
+
+  /// A run that goes on from a checkpoint.
+  Run(const Case& values, const RunOptions& options, RecoveredOutput output, ArchiveReader& state)
+      : Run(values, options, archived_simulation<Dim, Real>(values, state)) {
+    require_archived(simulation_.spheres() == values.system.spheres,
+                     "the state of another number of spheres");
+    earlier_seconds_ = output.checkpoint.wall_seconds;
+    archive_observers(*this, state);
+    file_.emplace(std::move(output));
+    recorder_.emplace(values, simulation_, *file_, state);
+    state.require_end();
+    file_->go_on(resolved_toml(values));
+  }
+
+  Run(const Case& values, const RunOptions& options, Simulation<Dim, Real> simulation)
       : values_(values),
         options_(options),
-        box_(box_of<Dim, Real>(values)),
-        simulation_(box_, start_of<Dim, Real>(values, box_),
-                    {from_decimal<Real>(values.system.restitution), values.collision.overlap,
-                     from_decimal<Real>(values.collision.guard)},
-                    surroundings_of<Dim, Real>(values)),
+        box_(simulation.box()),
+        simulation_(std::move(simulation)),
         driving_(values),
         separation_(values.collapse.gap_threshold, box_.clock_unit()),
         arrest_(values.collapse.gap_threshold, values.collapse.window, box_.clock_unit()),
         collapse_time_(box_.clock_unit()),
-        measurements_(simulation_, values.measure.after_time) {
-    if (!options.output) return;
-    file_.emplace(*options.output,
-                  OutputFile::Header{values.text, resolved_toml(values), Dim, values.system.spheres,
-                                     boundary_words(Dim, box_.closed_axis())},
-                  options.existing);
-    recorder_.emplace(values, simulation_, *file_);
-    file_->flush();  // whatever happens now, the start is kept
-  }
+        measurements_(simulation_, values.measure.after_time),
+        cadence_(values.output, simulation_.collisions()) {}
 
   Summary go() {
     while (!is_over()) {
-      if (const auto collision = simulation_.next_collision(next_pause())) {
+      if (const auto collision = simulation_.collision_until(next_pause())) {
         separation_.observe(*collision);
         arrest_.observe(*collision);
         collapse_time_.observe(*collision);
@@ -68,11 +82,17 @@ class Run {
         absorbed_ += collision->absorbed;
         overlapping_ += collision->overlapping;
         receding_ += !(collision->impact.normal_speed > 0);
-      } else {
+      } else if (simulation_.is_waiting()) {
         pause();
       }
       attend_to_the_clock();
     }
+    return finish();
+  }
+
+ private:
+  Summary finish() {
+    if (file_) file_->end(ended_by_ == "time" && before_the_end_ ? *before_the_end_ : checkpoint());
     if (const auto& pair = simulation_.stopped_before()) {
       separation_.observe_next(pair->gap);
       if (recorder_) recorder_->observe_next(pair->gap);
@@ -83,7 +103,6 @@ class Run {
     return result;
   }
 
- private:
   /// Sets why the run ends, once it does.
   bool is_over() {
     const auto& limits = values_.run;
@@ -115,7 +134,10 @@ class Run {
 
   /// Does what is due at this time without a collision.
   void pause() {
-    if (simulation_.is_at_rest()) simulation_.rest_until(next_pause());
+    const double until = next_pause();
+    // A longer run does not stop the clock at the end of this one.
+    if (file_ && until >= end_of_time()) before_the_end_ = checkpoint();
+    simulation_.wait_until(until);
     if (recorder_ && simulation_.has_reached(recorder_->next_snapshot())) {
       recorder_->take_snapshot(simulation_);
     }
@@ -124,6 +146,7 @@ class Run {
 
   /// Now and then shows the progress, and makes sure that a killed run loses little.
   void attend_to_the_clock() {
+    if (file_ && cadence_.is_due_after(simulation_.collisions())) save();
     constexpr unsigned kCallsBetween = 4096;  // some ms: asking for the time is not free
     if (++calls_ % kCallsBetween != 0) return;
     const double seconds = stopwatch_.seconds();
@@ -131,20 +154,50 @@ class Run {
       next_report_ = seconds + 0.2;
       options_.on_progress(progress());
     }
-    if (file_ && seconds >= next_flush_) {
-      next_flush_ = seconds + 30;
-      file_->flush();
+    if (file_ && seconds >= next_look_) {
+      next_look_ = seconds + 1;
+      file_->require_in_place();
     }
+    if (file_ && cadence_.is_due_at(seconds)) save();
   }
 
+  void save() {
+    const double begun = stopwatch_.seconds();
+    file_->checkpoint(checkpoint());
+    cadence_.note(begun, stopwatch_.seconds(), simulation_.collisions());
+    file_->fold_if_due();
+  }
+
+  Checkpoint checkpoint() const {
+    ArchiveWriter archive;
+    archive(checkpoint_version, std::int32_t{Dim}, std::numeric_limits<Real>::digits);
+    simulation_.archive_to(archive);
+    archive_observers(*this, archive);
+    recorder_->archive_to(archive);
+    return {.collisions = simulation_.collisions(),
+            .time = simulation_.time(),
+            .wall_seconds = wall_seconds(),
+            .summary = to_json(summary(), Dim),
+            .state = archive.release()};
+  }
+
+  template <class Self, class Archive>
+  static void archive_observers(Self& self, Archive& archive) {
+    archive(self.driving_, self.separation_, self.arrest_, self.collapse_time_, self.measurements_,
+            self.absorbed_, self.overlapping_, self.receding_);
+  }
+
+  /// Wall time of the whole run, with what it took before it was interrupted [s].
+  double wall_seconds() const { return earlier_seconds_ + stopwatch_.seconds(); }
+
   Progress progress() const {
-    Progress progress{.collisions = simulation_.collisions(),
-                      .time = simulation_.time(),
-                      .collisions_per_second =
-                          static_cast<double>(simulation_.collisions()) / stopwatch_.seconds(),
-                      .separation_hits = separation_.hits(),
-                      .done = 0,
-                      .wall_seconds = stopwatch_.seconds()};
+    Progress progress{
+        .collisions = simulation_.collisions(),
+        .time = simulation_.time(),
+        .collisions_per_second = static_cast<double>(simulation_.collisions()) / wall_seconds(),
+        .separation_hits = separation_.hits(),
+        .done = 0,
+        .wall_seconds = wall_seconds()};
     if (const auto& limit = values_.run.collisions) {
       if (*limit > 0) {
         progress.done = static_cast<double>(progress.collisions) / static_cast<double>(*limit);
@@ -164,7 +217,8 @@ class Run {
     summary.time = simulation_.time();
     summary.strain = static_cast<double>(box_.shear_rate()) * summary.time;
     summary.ended_by = ended_by_;
-    summary.outcome = ended_by_ == "signal"   ? "interrupted"
+    summary.outcome = ended_by_.empty()       ? "unfinished"
+                      : ended_by_ == "signal" ? "interrupted"
                       : ended_by_ == "arrest" ? "collapsed"
                                               : "finished";
     add_collapse(summary);
@@ -174,7 +228,7 @@ class Run {
     summary.receding = receding_;
     summary.averages = measurements_.averages(simulation_);
     summary.ledger_error = measurements_.ledger_error(simulation_);
-    summary.wall_seconds = stopwatch_.seconds();
+    summary.wall_seconds = wall_seconds();
     summary.collisions_per_second = static_cast<double>(summary.collisions) / summary.wall_seconds;
     summary.peak_memory_bytes = peak_memory_bytes();
     return summary;
@@ -191,12 +245,6 @@ class Run {
     for (const auto& [i, j] : arrest_.pairs()) summary.arrest.pairs.emplace_back(i, j);
   }
 
-  static std::int64_t peak_memory_bytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss * 1024;
-  }
-
   Case values_;
   RunOptions options_;
   ShearBox<Dim, Real> box_;
@@ -206,8 +254,10 @@ class Run {
   ArrestCriterion<Dim, Real> arrest_;
   CollapseTime<Dim, Real> collapse_time_;
   Measurements<Dim, Real> measurements_;
+  CheckpointCadence cadence_;
   std::optional<OutputFile> file_;
   std::optional<Recorder<Dim, Real>> recorder_;
+  std::optional<Checkpoint> before_the_end_;  ///< with the clock at the last event
   Stopwatch stopwatch_;
   std::int64_t absorbed_ = 0;
   std::int64_t overlapping_ = 0;
@@ -215,36 +265,58 @@ class Run {
   std::string ended_by_;
   unsigned calls_ = 0;
   double next_report_ = 0;
-  double next_flush_ = 30;
+  double next_look_ = 1;
+  double earlier_seconds_ = 0;  ///< wall time before the run was resumed
 };
 
-template <class Real>
-Summary run_in(const Case& values, const RunOptions& options) {
-  switch (values.system.dimension) {
-    case 1:
-      return Run<1, Real>(values, options).go();
-    case 2:
-      return Run<2, Real>(values, options).go();
-    default:
-      return Run<3, Real>(values, options).go();
+/// Throws InputError for a state that this program does not read, ArchiveError for one that does
+/// not belong to the case. Leaves the reader behind the head.
+template <int Dim, class Real>
+void require_known_state(const RecoveredOutput& output, ArchiveReader& state) {
+  const auto version = state.next<std::uint32_t>();
+  if (version != checkpoint_version) {
+    throw InputError(fmt::format(
+        "{}: has a checkpoint of version {} (this program reads {}); resume it with zenosphere {} "
+        "({}), which wrote it",
+        output.path.string(), version, checkpoint_version, output.info.program_version,
+        output.info.git_hash));
   }
+  const auto dimension = state.next<std::int32_t>();
+  const auto digits = state.next<std::int32_t>();
+  require_archived(dimension == Dim && digits == std::numeric_limits<Real>::digits,
+                   "the state of another kind of run");
+}
+
+template <int Dim, class Real>
+Summary go_on(const Case& values, RecoveredOutput output, const RunOptions& options) {
+  const std::string name = output.path.string();
+  std::optional<Run<Dim, Real>> run;
+  try {
+    const Bytes bytes = std::move(output.checkpoint.state);
+    ArchiveReader state(bytes);
+    require_known_state<Dim, Real>(output, state);
+    run.emplace(values, options, std::move(output), state);
+  } catch (const ArchiveError& error) {
+    throw InputError(
+        fmt::format("{}: has a checkpoint that makes no sense ({}); it is damaged, run "
+                    "the case again",
+                    name, error.what()));
+  }
+  return run->go();
 }
 
 }  // namespace
 
 Summary run_case(const Case& values, const RunOptions& options) {
   if (options.output) OutputFile::check_target(*options.output, options.existing);
-  switch (values.collision.precision) {
-    case Precision::extended:
-      return run_in<Extended>(values, options);
-    case Precision::quad:
-      return run_in<Quad>(values, options);
-    case Precision::digits100:
-      return run_in<Digits100>(values, options);
-    case Precision::double_precision:
-      break;
-  }
-  return run_in<double>(values, options);
+  return in_arithmetic_of(
+      values, [&]<int Dim, class Real>() { return Run<Dim, Real>(values, options).go(); });
+}
+
+Summary resume_case(const Case& values, RecoveredOutput output, const RunOptions& options) {
+  return in_arithmetic_of(values, [&]<int Dim, class Real>() {
+    return go_on<Dim, Real>(values, std::move(output), options);
+  });
 }
 
 }  // namespace zenosphere

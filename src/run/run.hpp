@@ -7,6 +7,7 @@
 
 #include "io/case.hpp"
 #include "io/output_file.hpp"
+#include "io/recovery.hpp"
 #include "io/summary.hpp"
 
 namespace zenosphere {
@@ -34,5 +35,13 @@ struct RunOptions {
 /// An interrupt ends the run as a limit does: everything is written.
 /// Throws InputError where the start cannot be made, OutputError where the file cannot be written.
 Summary run_case(const Case& values, const RunOptions& options);
+
+/// Goes on with a run from its last checkpoint, to the limits of the case.
+///
+/// \param values   from case_to_resume
+/// \param options  the output is the recovered one, whatever they say
+/// Throws InputError where the checkpoint is damaged or of another version, OutputError where the
+/// files cannot be written.
+Summary resume_case(const Case& values, RecoveredOutput output, const RunOptions& options);
 
 }  // namespace zenosphere

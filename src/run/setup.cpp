@@ -50,6 +50,12 @@ Configuration<Dim, Real> given_configuration(const Case& values, const ShearBox<
   return start;
 }
 
+template <class Real>
+ContactRules<Real> rules_of(const Case& values) {
+  return {from_decimal<Real>(values.system.restitution), values.collision.overlap,
+          from_decimal<Real>(values.collision.guard)};
+}
+
 }  // namespace
 
 template <int Dim, class Real>
@@ -90,9 +96,30 @@ Surroundings<Dim, Real> surroundings_of(const Case& values) {
   return surroundings;
 }
 
+template <int Dim, class Real>
+Simulation<Dim, Real> new_simulation(const Case& values) {
+  const auto box = box_of<Dim, Real>(values);
+  return {box, start_of<Dim, Real>(values, box), rules_of<Real>(values),
+          surroundings_of<Dim, Real>(values)};
+}
+
+template <int Dim, class Real>
+Simulation<Dim, Real> archived_simulation(const Case& values, ArchiveReader& archive) {
+  return {box_of<Dim, Real>(values), rules_of<Real>(values), surroundings_of<Dim, Real>(values),
+          archive};
+}
+
+std::vector<std::string> boundary_words(const Case& values) {
+  std::vector<std::string> words(static_cast<std::size_t>(values.system.dimension), "periodic");
+  if (values.walls.axis) words[static_cast<std::size_t>(*values.walls.axis)] = "none";
+  return words;
+}
+
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                         \
   template Configuration<Dim, Real> start_of<Dim, Real>(const Case&, const ShearBox<Dim, Real>&); \
-  template Surroundings<Dim, Real> surroundings_of<Dim, Real>(const Case&);
+  template Surroundings<Dim, Real> surroundings_of<Dim, Real>(const Case&);                       \
+  template Simulation<Dim, Real> new_simulation<Dim, Real>(const Case&);                          \
+  template Simulation<Dim, Real> archived_simulation<Dim, Real>(const Case&, ArchiveReader&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "engine/simulation.hpp"
 #include "io/case.hpp"
 
@@ -18,5 +21,20 @@ Configuration<Dim, Real> start_of(const Case& values, const ShearBox<Dim, Real>&
 /// Gravity and walls of a case.
 template <int Dim, class Real>
 Surroundings<Dim, Real> surroundings_of(const Case& values);
+
+/// The simulation of a case at its start.
+///
+/// Throws InputError where the start cannot be made.
+template <int Dim, class Real>
+Simulation<Dim, Real> new_simulation(const Case& values);
+
+/// The simulation of a case in the state that an archive holds.
+///
+/// Throws ArchiveError where that state cannot be.
+template <int Dim, class Real>
+Simulation<Dim, Real> archived_simulation(const Case& values, ArchiveReader& archive);
+
+/// How the box of a case ends along each axis, in the words of H5MD: "periodic" or "none".
+std::vector<std::string> boundary_words(const Case& values);
 
 }  // namespace zenosphere

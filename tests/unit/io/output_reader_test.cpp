@@ -6,7 +6,7 @@
 
 #include "io/build_info.hpp"
 #include "io/hdf5.hpp"
-#include "io/output_file.hpp"
+#include "io/output_datasets.hpp"
 #include "model/errors.hpp"
 #include "unit/io/temporary_folder.hpp"
 
@@ -29,11 +29,13 @@ class OutputReader : public ::testing::Test {
     return "no InputError";
   }
   void write_run(const std::vector<CollisionRow>& rows) const {
-    OutputFile output(path, {"case", "resolved", 1, 3}, OutputFile::Existing::refuse);
-    output.write({0, 0, {0, 1, 2}, {3, 4, 5}, {6}});
-    output.write({4, 0.5, {0, 1, 2}, {3, 4, 5}, {6}});
-    for (const auto& row : rows) output.append(row);
-    output.flush();
+    OutputDatasets output(path, {"case", "resolved", 1, 3});
+    output.append(Snapshot{0, 0, {0, 1, 2}, {3, 4, 5}, {6}});
+    output.append(Snapshot{4, 0.5, {0, 1, 2}, {3, 4, 5}, {6}});
+    CollisionRows columns;
+    for (const auto& row : rows) columns.append(row);
+    output.append(columns);
+    output.close();
   }
 
   TemporaryFolder folder;

@@ -160,7 +160,7 @@ class StartFile : public testing::Test {
     OutputFile output(file, {"case", "resolved", 2, 2}, OutputFile::Existing::replace);
     output.write({0, 0, {2, 2, 6, 6}, {9, 9, 9, 9}, {10, 0, 0, 8}});
     output.write({4, 0.5, {1, 1, 4, 1}, velocities, edges});
-    output.flush();
+    output.begin({});
   }
 
   TemporaryFolder folder;

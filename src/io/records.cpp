@@ -1,0 +1,44 @@
+#include "io/records.hpp"
+
+#include "io/checksum.hpp"
+
+namespace zenosphere {
+namespace {
+
+template <class Action>
+void for_each_column(CollisionRows& rows, Action action) {
+  action(rows.k);
+  action(rows.time);
+  action(rows.i);
+  action(rows.j);
+  action(rows.gap);
+  action(rows.normal_speed);
+  action(rows.flags);
+}
+
+}  // namespace
+
+void CollisionRows::append(const CollisionRow& row) {
+  k.push_back(row.k);
+  time.push_back(row.time);
+  i.push_back(row.i);
+  j.push_back(row.j);
+  gap.push_back(row.gap);
+  normal_speed.push_back(row.normal_speed);
+  flags.push_back(row.flags);
+}
+
+void CollisionRows::reserve(std::size_t rows) {
+  for_each_column(*this, [rows](auto& column) { column.reserve(rows); });
+}
+
+void CollisionRows::clear() {
+  for_each_column(*this, [](auto& column) { column.clear(); });
+}
+
+Basis Basis::of(const Checkpoint& checkpoint) {
+  return {checkpoint.collisions, checkpoint.log_rows, checkpoint.snapshots, checkpoint.state.size(),
+          checksum(checkpoint.state)};
+}
+
+}  // namespace zenosphere

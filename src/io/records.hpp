@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/archive.hpp"
+
+namespace zenosphere {
+
+/// The whole system at one time, in laboratory coordinates and row-major.
+struct Snapshot {
+  std::int64_t step = 0;  ///< collisions done
+  double time = 0;
+  std::vector<double> positions{};   ///< N x D, diameters, every component in [0, L)
+  std::vector<double> velocities{};  ///< N x D, diameters/time
+  std::vector<double> box_edges{};   ///< D x D, diameters; the rows are the box vectors
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.step, self.time, self.positions, self.velocities, self.box_edges);
+  }
+};
+
+/// One line of the collision log.
+struct CollisionRow {
+  std::int64_t k = 0;  ///< number of the collision, from 1
+  double time = 0;
+  std::int32_t i = 0, j = 0;  ///< the two spheres, i < j, from 0
+  double gap = 0;             ///< of the pair that collides next, diameters
+  double normal_speed = 0;    ///< diameters/time
+  std::uint8_t flags = 0;     ///< sum of collision_flag values
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.k, self.time, self.i, self.j, self.gap, self.normal_speed, self.flags);
+  }
+};
+
+namespace collision_flag {
+inline constexpr std::uint8_t hit = 1;           ///< gap at or below the threshold
+inline constexpr std::uint8_t overlap = 2;       ///< overlapped while approaching
+inline constexpr std::uint8_t absorbed = 4;      ///< changed no bit of a velocity
+inline constexpr std::uint8_t receding = 8;      ///< receding by rounding: no impulse
+inline constexpr std::uint8_t clock_stood = 16;  ///< the clock did not move forward
+}  // namespace collision_flag
+
+/// Rows of the collision log, column by column as they are stored.
+struct CollisionRows {
+  std::vector<std::int64_t> k{};
+  std::vector<double> time{};
+  std::vector<std::int32_t> i{}, j{};
+  std::vector<double> gap{}, normal_speed{};
+  std::vector<std::uint8_t> flags{};
+
+  std::size_t size() const { return k.size(); }
+  void append(const CollisionRow& row);
+  void reserve(std::size_t rows);
+  void clear();
+
+  /// \throws ArchiveError where the columns differ in length
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.k, self.time, self.i, self.j, self.gap, self.normal_speed, self.flags);
+    const std::size_t rows = self.k.size();
+    require_archived(self.time.size() == rows && self.i.size() == rows && self.j.size() == rows &&
+                         self.gap.size() == rows && self.normal_speed.size() == rows &&
+                         self.flags.size() == rows,
+                     "columns of different lengths");
+  }
+};
+
+/// How far a run has come, and everything that is needed to go on from there.
+struct Checkpoint {
+  std::int64_t collisions = 0;
+  double time = 0;
+  std::int64_t log_rows = 0;   ///< rows of the collision log up to here
+  std::int64_t snapshots = 0;  ///< likewise
+  double wall_seconds = 0;     ///< that the run has taken so far
+  std::string summary{};       ///< JSON, of the run so far
+  Bytes state{};               ///< of the run and all that observes it; begins with its version
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.collisions, self.time, self.log_rows, self.snapshots, self.wall_seconds,
+            self.summary, self.state);
+  }
+};
+
+/// The checkpoint that a journal goes on from: the one in the output file, told by its content.
+///
+/// A journal whose basis is another one is void: all it holds is in the output file already.
+struct Basis {
+  std::int64_t collisions = 0;
+  std::int64_t log_rows = 0;
+  std::int64_t snapshots = 0;
+  std::uint64_t state_size = 0;
+  std::uint32_t state_checksum = 0;
+
+  static Basis of(const Checkpoint& checkpoint);
+  friend bool operator==(const Basis&, const Basis&) = default;
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.collisions, self.log_rows, self.snapshots, self.state_size, self.state_checksum);
+  }
+};
+
+}  // namespace zenosphere

@@ -1,0 +1,93 @@
+#include "run/resume.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "io/case_file.hpp"
+#include "io/summary.hpp"
+#include "model/errors.hpp"
+
+namespace zenosphere {
+namespace {
+
+constexpr std::array changeable{"run.collisions", "run.time", "collapse.stop_when_collapsed",
+                                "output.checkpoint_seconds", "output.checkpoint_collisions"};
+
+void require_changeable(const std::string& override) {
+  std::string key = override.substr(0, override.find('='));
+  key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
+  if (std::find(changeable.begin(), changeable.end(), key) != changeable.end()) return;
+  throw InputError(fmt::format(
+      "--set {}: cannot be changed in a run that has begun (only run.collisions, run.time, "
+      "collapse.stop_when_collapsed and output.checkpoint_* can); begin a new run",
+      override));
+}
+
+std::string collisions_are_done(std::int64_t limit, std::int64_t collisions) {
+  return fmt::format(
+      "has done {} collisions (run.collisions = {} is reached); raise it: --set run.collisions={}",
+      collisions, limit, 2 * collisions + 1);
+}
+
+std::string time_is_up(double limit, double time) {
+  return fmt::format("is at time {} (run.time = {} is reached); raise it: --set run.time={}", time,
+                     limit, 2 * time + 1);
+}
+
+std::string has_collapsed(const Summary& reached) {
+  return fmt::format(
+      "collapsed at collision {} (collapse.stop_when_collapsed = true); to go on nevertheless: "
+      "--set collapse.stop_when_collapsed=false",
+      reached.arrest.collision.value_or(0));
+}
+
+/// Why a run that has ended cannot go on, and what to do.
+std::optional<std::string> reason_to_stay(const Case& values, const Summary& reached) {
+  const auto& limits = values.run;
+  if (limits.collisions && *limits.collisions <= reached.collisions) {
+    return collisions_are_done(*limits.collisions, reached.collisions);
+  }
+  if (limits.time && *limits.time <= reached.time) return time_is_up(*limits.time, reached.time);
+  if (reached.arrest.met && values.collapse.stop_when_collapsed) return has_collapsed(reached);
+  if (reached.ended_by == "overlap") {
+    return "ended before an overlap, as collision.overlap = \"stop\" asks; there is nothing to "
+           "resume";
+  }
+  if (reached.ended_by != "at rest") return std::nullopt;
+  return fmt::format("is at rest since time {}; there is nothing to resume", reached.time);
+}
+
+/// Why a run that was cut off would have ended before the place where it stands, and what to do.
+std::optional<std::string> reason_to_refuse(const Case& values, const Summary& reached) {
+  const auto& limits = values.run;
+  if (limits.collisions && *limits.collisions < reached.collisions) {
+    return collisions_are_done(*limits.collisions, reached.collisions);
+  }
+  if (limits.time && *limits.time < reached.time) return time_is_up(*limits.time, reached.time);
+  const bool is_behind = reached.arrest.met && reached.arrest.collision < reached.collisions;
+  if (is_behind && values.collapse.stop_when_collapsed) return has_collapsed(reached);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Case case_to_resume(const RecoveredOutput& output, std::span<const std::string> overrides) {
+  for (const std::string& override : overrides) require_changeable(override);
+  Case values = parse_case(output.info.resolved_case, output.path.string(), overrides);
+  values.text = output.info.case_text;
+  // A run that was cut off at its very end has its end still to write.
+  const bool has_ended = output.info.complete && output.journal.size() == 0;
+  const Summary reached =
+      summary_from_json(has_ended ? output.info.summary.value_or("") : output.checkpoint.summary);
+  const auto reason =
+      has_ended ? reason_to_stay(values, reached) : reason_to_refuse(values, reached);
+  if (reason) {
+    throw InputError(fmt::format("{}: {}", output.path.string(), *reason));
+  }
+  return values;
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "io/case.hpp"
+#include "io/recovery.hpp"
+
+namespace zenosphere {
+
+/// The case of a recovered run, with the end of the run set anew.
+///
+/// \param overrides  as `--set` has them; of run.collisions, run.time, collapse.stop_when_collapsed
+///                   and output.checkpoint_* only: another key would make it another run
+/// Throws InputError for other keys, and where the run is over already under the new values.
+Case case_to_resume(const RecoveredOutput& output, std::span<const std::string> overrides);
+
+}  // namespace zenosphere
