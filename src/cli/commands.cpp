@@ -123,7 +123,7 @@ int check(const Arguments& arguments) {
 
 int info(const Arguments& arguments) {
   const OutputInfo info = read_output_info(arguments.file);
-  print(arguments.json ? to_json(info) + '\n' : to_text(info));
+  print(arguments.json ? to_json(info) + '\n' : to_text(info, arguments.file));
   return exit_code::done;
 }
 

@@ -12,11 +12,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What the run came to: in the end, or until its last checkpoint.
+std::optional<Summary> summary_in(const OutputInfo& info) {
+  if (info.summary) return summary_from_json(*info.summary);
+  if (!info.checkpoint || info.checkpoint->summary.empty()) return std::nullopt;
+  return summary_from_json(info.checkpoint->summary);
+}
+
 }  // namespace
 
 std::string to_json(const OutputInfo& info) {
-  Json json = info.summary ? Json::parse(to_json(summary_from_json(*info.summary), info.dimension))
-                           : Json::object();
+  Json json = Json::object();
+  if (const auto summary = summary_in(info)) json = Json::parse(to_json(*summary, info.dimension));
   json["file"] = {{"complete", info.complete},
                   {"format_version", info.format_version},
                   {"program_version", info.program_version},
@@ -25,19 +32,27 @@ std::string to_json(const OutputInfo& info) {
                   {"snapshots", info.snapshots},
                   {"logged_collisions", info.logged_collisions},
                   {"last_collision", info.last_collision},
-                  {"last_time", info.last_time}};
+                  {"last_time", info.last_time},
+                  {"extended_to", info.is_extended ? Json(info.checkpoint->collisions) : Json()}};
   return json.dump();
 }
 
-std::string to_text(const OutputInfo& info) {
+std::string to_text(const OutputInfo& info, const std::string& name) {
   std::string text;
-  if (info.summary) {
-    text = to_text(summary_from_json(*info.summary), info.dimension) + '\n';
-  } else {
+  if (!info.complete) {
     text = fmt::format(
-        "Unfinished: the run was cut off, or is still going on.\n\n"
-        "  written up to          collision {}, time {:.6g}\n",
-        info.last_collision, info.last_time);
+        "Unfinished: the run was cut off, or is still going on; zenosphere resume {} goes on.\n\n"
+        "  written up to           collision {}, time {:.6g}\n",
+        name, info.last_collision, info.last_time);
+  }
+  if (const auto summary = summary_in(info)) {
+    if (!info.complete) text += "\nUp to there: ";
+    text += to_text(*summary, info.dimension) + '\n';
+  }
+  if (info.is_extended) {
+    text +=
+        fmt::format("  made longer             up to collision {}, time {:.6g}; not ended yet\n",
+                    info.checkpoint->collisions, info.checkpoint->time);
   }
   text += fmt::format("  snapshots               {} of {} spheres\n", info.snapshots, info.spheres);
   text += fmt::format("  logged collisions       {}{}\n", info.logged_collisions,

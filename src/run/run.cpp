@@ -92,7 +92,7 @@ class Run {
 
  private:
   Summary finish() {
-    if (file_) file_->end(ended_by_ == "time" && before_the_end_ ? *before_the_end_ : checkpoint());
+    keep_the_end();
     if (const auto& pair = simulation_.stopped_before()) {
       separation_.observe_next(pair->gap);
       if (recorder_) recorder_->observe_next(pair->gap);
@@ -135,8 +135,8 @@ class Run {
   /// Does what is due at this time without a collision.
   void pause() {
     const double until = next_pause();
-    // A longer run does not stop the clock at the end of this one.
-    if (file_ && until >= end_of_time()) before_the_end_ = checkpoint();
+    // A longer run does not stop the clock at the end of this one: from here it can go on.
+    if (until >= end_of_time()) keep_the_end();
     simulation_.wait_until(until);
     if (recorder_ && simulation_.has_reached(recorder_->next_snapshot())) {
       recorder_->take_snapshot(simulation_);
@@ -159,6 +159,13 @@ class Run {
       file_->require_in_place();
     }
     if (file_ && cadence_.is_due_at(seconds)) save();
+  }
+
+  /// Keeps the state that a longer run would go through too; what is recorded from now on belongs
+  /// to the end of this one.
+  void keep_the_end() {
+    if (file_ && !is_end_kept_) file_->end(checkpoint());
+    is_end_kept_ = true;
   }
 
   void save() {
@@ -257,7 +264,7 @@ class Run {
   CheckpointCadence cadence_;
   std::optional<OutputFile> file_;
   std::optional<Recorder<Dim, Real>> recorder_;
-  std::optional<Checkpoint> before_the_end_;  ///< with the clock at the last event
+  bool is_end_kept_ = false;
   Stopwatch stopwatch_;
   std::int64_t absorbed_ = 0;
   std::int64_t overlapping_ = 0;

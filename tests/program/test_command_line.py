@@ -14,11 +14,11 @@ def commands_in(help_text):
 
 def test_help_lists_the_commands_that_exist_and_no_other(program):
     done = program("--help")
-    assert set(commands_in(done.stdout)) == {"run", "check", "info"}
+    assert set(commands_in(done.stdout)) == {"run", "resume", "check", "info"}
     assert done.stderr == ""
 
 
-@pytest.mark.parametrize("command", ["run", "check", "info"])
+@pytest.mark.parametrize("command", ["run", "resume", "check", "info"])
 def test_every_command_has_help(program, command):
     assert f"zenosphere {command}" in program(command, "--help").stdout
 
@@ -36,7 +36,7 @@ def test_version_is_a_line_with_three_numbers(program):
 @pytest.mark.parametrize("words", [
     [], ["simulate"], ["run"], ["check"], ["info"], ["run", "case.toml", "--nonsense"],
     ["run", "case.toml", "other.toml"], ["run", "case.toml", "-o"], ["run", "case.toml", "--set"],
-    ["resume", "out.h5"], ["--nonsense"],
+    ["resume"], ["resume", "out.h5", "-o", "other.h5"], ["--nonsense"],
 ])
 def test_wrong_command_line_is_exit_code_2_and_points_at_the_help(program, words):
     lines = program.fail(*words)
