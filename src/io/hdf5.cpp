@@ -1,10 +1,6 @@
 #include "io/hdf5.hpp"
 
-#include <unistd.h>
-
 #include <bit>
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "io/hdf5_checked.hpp"
@@ -125,17 +121,7 @@ bool is_hdf5(const std::filesystem::path& path) {
   return H5Fis_hdf5(path.c_str()) > 0;
 }
 
-void flush(const Handle& file) {
-  hsize_t size = 0;
-  void* descriptor = nullptr;
-  checked(H5Fget_filesize(file.id(), &size));
-  checked(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &descriptor));
-  // HDF5 writes the size into the file before it tries the same.
-  if (ftruncate(*static_cast<int*>(descriptor), static_cast<off_t>(size)) != 0) {
-    throw Error(std::strerror(errno));
-  }
-  checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL));
-}
+void flush(const Handle& file) { checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL)); }
 
 Handle created_group(const Handle& parent, const std::string& path) {
   return owned(H5Gcreate2(parent.id(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));

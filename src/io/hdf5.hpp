@@ -30,16 +30,14 @@ class Handle {
 
   std::int64_t id() const { return id_; }
 
-  /// Lets go without closing. After a failed write a file is left so, as its last flush made it:
-  /// HDF5 would try to write the rest and could spoil what is there.
+  /// Lets go without closing. After a failed write HDF5 could only fail again, or crash.
   void abandon() noexcept { id_ = -1; }
 
  private:
   std::int64_t id_ = -1;
 };
 
-/// A new file; fails if the path exists. Readable by HDF5 1.8 and later, and not locked: what was
-/// flushed can be read by another process while this one goes on writing.
+/// A new file; fails if the path exists. Readable by HDF5 1.8 and later, and not locked.
 Handle created_file(const std::filesystem::path& path);
 /// An existing file, to read only.
 Handle opened_file(const std::filesystem::path& path);
@@ -47,8 +45,7 @@ Handle opened_file(const std::filesystem::path& path);
 Handle reopened_file(const std::filesystem::path& path);
 /// Whether a readable file has the signature of HDF5.
 bool is_hdf5(const std::filesystem::path& path);
-/// Hands everything written so far to the operating system. Where the system refuses the size that
-/// this takes, the file keeps the state of the flush before.
+/// Hands everything written so far to the operating system.
 void flush(const Handle& file);
 
 Handle created_group(const Handle& parent, const std::string& path);

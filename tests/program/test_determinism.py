@@ -31,7 +31,8 @@ def contents(path):
 
     def collect(name, item):
         for key, value in item.attrs.items():
-            found[name, key] = bits(value)
+            if key not in OF_THE_MACHINE:
+                found[name, key] = bits(value)
         if isinstance(item, h5py.Dataset) and name != "zenosphere/summary":
             found[name] = (item.dtype.str, item.shape, bits(item[()]))
 

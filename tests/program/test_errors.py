@@ -182,7 +182,7 @@ def fill_disk(program, size, changes=()):
     return program.folder / "out.h5"
 
 
-@pytest.mark.parametrize("size", [2**17, 2**20, 3 * 2**20])
+@pytest.mark.parametrize("size", [2**18, 2**20, 3 * 2**20])
 def test_full_disk_is_exit_code_4_and_leaves_a_readable_file(program, size):
     path = fill_disk(program, size)
     with h5py.File(path) as file:
