@@ -207,6 +207,8 @@ void OutputDatasets::store(const Checkpoint& checkpoint) {
                               : hdf5::created_group(contents_->own, "checkpoint");
   hdf5::write_attribute(group, "collisions", checkpoint.collisions);
   hdf5::write_attribute(group, "time", checkpoint.time);
+  hdf5::write_attribute(group, "clock_units", checkpoint.clock_units);
+  hdf5::write_attribute(group, "clock_remainder", checkpoint.clock_remainder);
   hdf5::write_attribute(group, "log_rows", checkpoint.log_rows);
   hdf5::write_attribute(group, "snapshots", checkpoint.snapshots);
   hdf5::write_attribute(group, "wall_seconds", checkpoint.wall_seconds);

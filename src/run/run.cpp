@@ -183,6 +183,8 @@ class Run {
     recorder_->archive_to(archive);
     return {.collisions = simulation_.collisions(),
             .time = simulation_.time(),
+            .clock_units = simulation_.now().units,
+            .clock_remainder = static_cast<double>(simulation_.now().remainder),
             .wall_seconds = wall_seconds(),
             .summary = to_json(summary(), Dim),
             .state = archive.release()};
