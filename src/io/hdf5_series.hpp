@@ -74,6 +74,12 @@ class Series {
     append(values);
   }
 
+  /// Whether the values, flat, make up one row.
+  template <class T>
+  bool is_row(const std::vector<T>& values) const {
+    return static_cast<std::int64_t>(values.size()) == row_size_;
+  }
+
   std::int64_t length() const { return length_; }
   const std::vector<std::int64_t>& row_shape() const { return row_shape_; }
 

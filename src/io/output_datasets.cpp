@@ -92,6 +92,9 @@ class Trajectory {
   explicit Trajectory(const Handle& file) : group_(hdf5::opened(file, "particles/spheres")) {}
 
   void append(const Snapshot& snapshot) {
+    const bool fits = position_.is_row(snapshot.positions) &&
+                      velocity_.is_row(snapshot.velocities) && edges_.is_row(snapshot.box_edges);
+    if (!fits) throw hdf5::Error("a snapshot of another system");
     position_.append(snapshot.positions);
     velocity_.append(snapshot.velocities);
     edges_.append(snapshot.box_edges);
@@ -103,6 +106,7 @@ class Trajectory {
       series->truncate(length);
     }
   }
+  std::int64_t length() const { return step_.length(); }
   int dimension() const { return static_cast<int>(position_.row_shape().at(1)); }
 
  private:
@@ -188,6 +192,10 @@ OutputDatasets::~OutputDatasets() = default;
 void OutputDatasets::append(const Snapshot& snapshot) { contents_->trajectory.append(snapshot); }
 
 void OutputDatasets::append(const CollisionRows& rows) { contents_->log.append(rows); }
+
+std::int64_t OutputDatasets::log_rows() const { return contents_->log.length(); }
+
+std::int64_t OutputDatasets::snapshots() const { return contents_->trajectory.length(); }
 
 void OutputDatasets::rewind_to(std::int64_t log_rows, std::int64_t snapshots) {
   contents_->log.truncate(log_rows);

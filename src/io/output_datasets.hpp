@@ -40,6 +40,9 @@ class OutputDatasets {
   void append(const Snapshot& snapshot);
   void append(const CollisionRows& rows);
 
+  std::int64_t log_rows() const;
+  std::int64_t snapshots() const;
+
   /// Takes back the end of the run, and with it all that came after a checkpoint.
   ///
   /// \param log_rows, snapshots  that are kept

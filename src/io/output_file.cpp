@@ -265,23 +265,31 @@ Checkpoint OutputFile::fold() {
   part_ = std::make_unique<OutputDatasets>(part_path_);
   part_->rewind_to(basis_.log_rows, basis_.snapshots);
   std::optional<JournalRecord> last;
+  std::int64_t log_rows = 0, snapshots = 0;
   JournalReader reader(journal_.file());
   while (const auto record = reader.next()) {
-    if (record->kind == RecordKind::checkpoint) {
-      last = record;
+    if (record->kind != RecordKind::checkpoint) {
+      replay(reader.payload(*record), record->kind);
       continue;
     }
-    const Bytes bytes = reader.payload(*record);
-    ArchiveReader archive(bytes);
-    if (record->kind == RecordKind::rows) part_->append(archive.next<CollisionRows>());
-    if (record->kind == RecordKind::snapshot) part_->append(archive.next<Snapshot>());
-    if (record->kind == RecordKind::resolved_case) {
-      part_->set_resolved_case(archive.next<std::string>());
-    }
+    last = record;
+    log_rows = part_->log_rows();
+    snapshots = part_->snapshots();
   }
-  assert(last);  // there is no fold without one
+  require_archived(last.has_value(), "the journal has lost its checkpoint");
   const Bytes bytes = reader.payload(*last);
-  return ArchiveReader(bytes).next<Checkpoint>();
+  auto checkpoint = ArchiveReader(bytes).next<Checkpoint>();
+  require_archived(checkpoint.log_rows == log_rows && checkpoint.snapshots == snapshots,
+                   "the journal lacks something that its checkpoint counts");
+  return checkpoint;
+}
+
+/// Adds a record of the journal to the next HDF5 file.
+void OutputFile::replay(const Bytes& payload, RecordKind kind) {
+  ArchiveReader archive(payload);
+  if (kind == RecordKind::rows) part_->append(archive.next<CollisionRows>());
+  if (kind == RecordKind::snapshot) part_->append(archive.next<Snapshot>());
+  if (kind == RecordKind::resolved_case) part_->set_resolved_case(archive.next<std::string>());
 }
 
 }  // namespace zenosphere

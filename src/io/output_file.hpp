@@ -84,6 +84,7 @@ class OutputFile {
   void keep_in_mind(Checkpoint checkpoint);
   Checkpoint counted(Checkpoint checkpoint) const;
   Checkpoint fold();
+  void replay(const Bytes& payload, RecordKind kind);
   void publish();
   std::string what_is_kept() const;
 

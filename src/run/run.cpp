@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "collapse/arrest_criterion.hpp"
 #include "collapse/collapse_time.hpp"
@@ -18,17 +17,16 @@
 #include "model/errors.hpp"
 #include "run/arithmetic.hpp"
 #include "run/checkpoint_cadence.hpp"
+#include "run/collision_counts.hpp"
 #include "run/random_driving.hpp"
 #include "run/recorder.hpp"
 #include "run/setup.hpp"
+#include "run/state_head.hpp"
 #include "run/stopwatch.hpp"
 
 namespace zenosphere {
 
 namespace {
-
-/// What a checkpoint holds; to be raised whenever the states that follow it change.
-constexpr std::uint32_t checkpoint_version = 1;
 
 /// One run: the simulation and everything that observes it.
 template <int Dim, class Real>
@@ -38,10 +36,7 @@ class Run {
   Run(const Case& values, const RunOptions& options)
       : Run(values, options, new_simulation<Dim, Real>(values)) {
     if (!options.output) return;
-    file_.emplace(*options.output,
-                  OutputFile::Header{values.text, resolved_toml(values), Dim, values.system.spheres,
-                                     boundary_words(values)},
-                  options.existing);
+    file_.emplace(*options.output, output_header(values), options.existing);
     recorder_.emplace(values, simulation_, *file_);
     file_->begin(checkpoint());  // whatever happens now, the start is kept
   }
@@ -79,9 +74,7 @@ class Run {
         collapse_time_.observe(*collision);
         measurements_.observe(*collision, simulation_);
         if (recorder_) recorder_->observe(*collision);
-        absorbed_ += collision->absorbed;
-        overlapping_ += collision->overlapping;
-        receding_ += !(collision->impact.normal_speed > 0);
+        counts_.observe(*collision);
       } else if (simulation_.is_waiting()) {
         pause();
       }
@@ -146,7 +139,7 @@ class Run {
 
   /// Now and then shows the progress, and makes sure that a killed run loses little.
   void attend_to_the_clock() {
-    if (file_ && cadence_.is_due_after(simulation_.collisions())) save();
+    if (is_recording() && cadence_.is_due_after(simulation_.collisions())) save();
     constexpr unsigned kCallsBetween = 4096;  // some ms: asking for the time is not free
     if (++calls_ % kCallsBetween != 0) return;
     const double seconds = stopwatch_.seconds();
@@ -158,15 +151,18 @@ class Run {
       next_look_ = seconds + 1;
       file_->require_in_place();
     }
-    if (file_ && cadence_.is_due_at(seconds)) save();
+    if (is_recording() && cadence_.is_due_at(seconds)) save();
   }
 
   /// Keeps the state that a longer run would go through too; what is recorded from now on belongs
   /// to the end of this one.
   void keep_the_end() {
-    if (file_ && !is_end_kept_) file_->end(checkpoint());
+    if (is_recording()) file_->end(checkpoint());
     is_end_kept_ = true;
   }
+
+  /// Whether checkpoints are to be made: there is a file, and its end is not kept yet.
+  bool is_recording() const { return file_ && !is_end_kept_; }
 
   void save() {
     const double begun = stopwatch_.seconds();
@@ -177,7 +173,7 @@ class Run {
 
   Checkpoint checkpoint() const {
     ArchiveWriter archive;
-    archive(checkpoint_version, std::int32_t{Dim}, std::numeric_limits<Real>::digits);
+    write_state_head<Dim, Real>(archive);
     simulation_.archive_to(archive);
     archive_observers(*this, archive);
     recorder_->archive_to(archive);
@@ -193,29 +189,25 @@ class Run {
   template <class Self, class Archive>
   static void archive_observers(Self& self, Archive& archive) {
     archive(self.driving_, self.separation_, self.arrest_, self.collapse_time_, self.measurements_,
-            self.absorbed_, self.overlapping_, self.receding_);
+            self.counts_);
   }
 
   /// Wall time of the whole run, with what it took before it was interrupted [s].
   double wall_seconds() const { return earlier_seconds_ + stopwatch_.seconds(); }
 
   Progress progress() const {
-    Progress progress{
-        .collisions = simulation_.collisions(),
-        .time = simulation_.time(),
-        .collisions_per_second = static_cast<double>(simulation_.collisions()) / wall_seconds(),
-        .separation_hits = separation_.hits(),
-        .done = 0,
-        .wall_seconds = wall_seconds()};
-    if (const auto& limit = values_.run.collisions) {
-      if (*limit > 0) {
-        progress.done = static_cast<double>(progress.collisions) / static_cast<double>(*limit);
-      }
-    }
-    if (const auto& limit = values_.run.time) {
-      if (*limit > 0) progress.done = std::max(progress.done, progress.time / *limit);
-    }
-    return progress;
+    const auto part = [](double done, const auto& limit) {
+      return limit && *limit > 0 ? done / static_cast<double>(*limit) : 0;
+    };
+    const std::int64_t collisions = simulation_.collisions();
+    const auto done = static_cast<double>(collisions);
+    return {.collisions = collisions,
+            .time = simulation_.time(),
+            .collisions_per_second = done / wall_seconds(),
+            .separation_hits = separation_.hits(),
+            .done = std::max(part(done, values_.run.collisions),
+                             part(simulation_.time(), values_.run.time)),
+            .wall_seconds = wall_seconds()};
   }
 
   Summary summary() const {
@@ -231,10 +223,10 @@ class Run {
                       : ended_by_ == "arrest" ? "collapsed"
                                               : "finished";
     add_collapse(summary);
-    summary.absorbed = absorbed_;
-    summary.overlap_collisions = overlapping_;
+    summary.absorbed = counts_.absorbed;
+    summary.overlap_collisions = counts_.overlapping;
     summary.overlaps_ignored = simulation_.overlaps_ignored();
-    summary.receding = receding_;
+    summary.receding = counts_.receding;
     summary.averages = measurements_.averages(simulation_);
     summary.ledger_error = measurements_.ledger_error(simulation_);
     summary.wall_seconds = wall_seconds();
@@ -268,33 +260,12 @@ class Run {
   std::optional<Recorder<Dim, Real>> recorder_;
   bool is_end_kept_ = false;
   Stopwatch stopwatch_;
-  std::int64_t absorbed_ = 0;
-  std::int64_t overlapping_ = 0;
-  std::int64_t receding_ = 0;
+  CollisionCounts counts_;
   std::string ended_by_;
   unsigned calls_ = 0;
-  double next_report_ = 0;
-  double next_look_ = 1;
-  double earlier_seconds_ = 0;  ///< wall time before the run was resumed
+  double next_report_ = 0, next_look_ = 1;  ///< by the stopwatch [s]
+  double earlier_seconds_ = 0;              ///< wall time before the run was resumed
 };
-
-/// Throws InputError for a state that this program does not read, ArchiveError for one that does
-/// not belong to the case. Leaves the reader behind the head.
-template <int Dim, class Real>
-void require_known_state(const RecoveredOutput& output, ArchiveReader& state) {
-  const auto version = state.next<std::uint32_t>();
-  if (version != checkpoint_version) {
-    throw InputError(fmt::format(
-        "{}: has a checkpoint of version {} (this program reads {}); resume it with zenosphere {} "
-        "({}), which wrote it",
-        output.path.string(), version, checkpoint_version, output.info.program_version,
-        output.info.git_hash));
-  }
-  const auto dimension = state.next<std::int32_t>();
-  const auto digits = state.next<std::int32_t>();
-  require_archived(dimension == Dim && digits == std::numeric_limits<Real>::digits,
-                   "the state of another kind of run");
-}
 
 template <int Dim, class Real>
 Summary go_on(const Case& values, RecoveredOutput output, const RunOptions& options) {
@@ -303,13 +274,11 @@ Summary go_on(const Case& values, RecoveredOutput output, const RunOptions& opti
   try {
     const Bytes bytes = std::move(output.checkpoint.state);
     ArchiveReader state(bytes);
-    require_known_state<Dim, Real>(output, state);
+    require_known_state<Dim, Real>(values, output, state);
     run.emplace(values, options, std::move(output), state);
   } catch (const ArchiveError& error) {
-    throw InputError(
-        fmt::format("{}: has a checkpoint that makes no sense ({}); it is damaged, run "
-                    "the case again",
-                    name, error.what()));
+    throw InputError(fmt::format("{}: has a checkpoint that is damaged ({}); run the case again",
+                                 name, error.what()));
   }
   return run->go();
 }

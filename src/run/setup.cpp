@@ -2,8 +2,10 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "engine/start.hpp"
+#include "io/case_file.hpp"
 #include "io/derived.hpp"
 #include "io/start_file.hpp"
 #include "model/errors.hpp"
@@ -109,10 +111,12 @@ Simulation<Dim, Real> archived_simulation(const Case& values, ArchiveReader& arc
           archive};
 }
 
-std::vector<std::string> boundary_words(const Case& values) {
-  std::vector<std::string> words(static_cast<std::size_t>(values.system.dimension), "periodic");
-  if (values.walls.axis) words[static_cast<std::size_t>(*values.walls.axis)] = "none";
-  return words;
+OutputHeader output_header(const Case& values) {
+  OutputHeader header{
+      values.text, resolved_toml(values), values.system.dimension, values.system.spheres,
+      std::vector<std::string>(static_cast<std::size_t>(values.system.dimension), "periodic")};
+  if (values.walls.axis) header.boundary[static_cast<std::size_t>(*values.walls.axis)] = "none";
+  return header;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                         \

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "engine/simulation.hpp"
 #include "io/case.hpp"
+#include "io/output_datasets.hpp"
 
 namespace zenosphere {
 
@@ -34,7 +32,7 @@ Simulation<Dim, Real> new_simulation(const Case& values);
 template <int Dim, class Real>
 Simulation<Dim, Real> archived_simulation(const Case& values, ArchiveReader& archive);
 
-/// How the box of a case ends along each axis, in the words of H5MD: "periodic" or "none".
-std::vector<std::string> boundary_words(const Case& values);
+/// What the output of a case says about it.
+OutputHeader output_header(const Case& values);
 
 }  // namespace zenosphere

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+
+#include "io/case.hpp"
+#include "io/recovery.hpp"
+#include "model/archive.hpp"
+#include "model/errors.hpp"
+
+namespace zenosphere {
+
+/// What the state of a checkpoint holds; to be raised whenever that changes.
+inline constexpr std::uint32_t checkpoint_version = 1;
+
+/// Begins the state of a checkpoint.
+template <int Dim, class Real>
+void write_state_head(ArchiveWriter& archive) {
+  archive(checkpoint_version, std::int32_t{Dim}, std::int32_t{std::numeric_limits<Real>::digits});
+}
+
+/// Reads the beginning of a state.
+///
+/// Throws InputError for a version that this program does not read, ArchiveError for a state that
+/// does not belong to the case.
+template <int Dim, class Real>
+void require_known_state(const Case& values, const RecoveredOutput& output, ArchiveReader& state) {
+  const auto version = state.next<std::uint32_t>();
+  if (version != checkpoint_version) {
+    throw InputError(fmt::format(
+        "{}: has a checkpoint of version {} (this program reads {}); resume it with zenosphere {} "
+        "({}), which wrote it",
+        output.path.string(), version, checkpoint_version, output.info.program_version,
+        output.info.git_hash));
+  }
+  const auto dimension = state.next<std::int32_t>();
+  const auto digits = state.next<std::int32_t>();
+  require_archived(dimension == Dim && digits == std::numeric_limits<Real>::digits,
+                   "the state of another kind of run");
+  // A sphere takes more than 32 bytes: one that the case only claims gets no memory.
+  require_archived(state.left() / 32 >= static_cast<std::size_t>(values.system.spheres),
+                   "the state of another number of spheres");
+}
+
+}  // namespace zenosphere
