@@ -221,6 +221,8 @@ void OutputDatasets::store(const Checkpoint& checkpoint) {
   hdf5::write_attribute(group, "snapshots", checkpoint.snapshots);
   hdf5::write_attribute(group, "wall_seconds", checkpoint.wall_seconds);
   hdf5::write_attribute(group, "checksum", std::int64_t{checksum(checkpoint.state)});
+  hdf5::write_attribute(group, "program_version", build_info::program_version);
+  hdf5::write_attribute(group, "git_hash", build_info::git_hash);
   hdf5::write_text(group, "summary", checkpoint.summary);
   state_series(group, checkpoint.state.size()).replace(checkpoint.state);
 }
