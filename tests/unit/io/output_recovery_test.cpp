@@ -75,6 +75,27 @@ TEST_F(OutputRecovery, ExtensionTakesBackTheEndOfTheRunBefore) {
   EXPECT_EQ(k, (std::vector<std::int64_t>{1, 2, 3, 5}));
 }
 
+TEST_F(OutputRecovery, JournalThatHasOutgrownTheFileIsFoldedIn) {
+  const fs::path journal = path.string() + ".journal";
+  Checkpoint large = checkpoint(2);
+  large.state.resize(65 << 20);  // a journal up to 64 MiB is left alone
+  OutputFile output(path, planar_pair, Existing::refuse);
+  write_run(output, 1);
+  output.checkpoint(checkpoint(1));
+  output.append(row(2));
+  output.fold_if_due();
+  EXPECT_EQ(hdf5::shape(hdf5::opened_file(path), "collisions/k").front(), 1);
+  output.checkpoint(large);
+  EXPECT_GT(fs::file_size(journal), 65u << 20);
+  output.fold_if_due();
+  EXPECT_LT(fs::file_size(journal), 100u);
+  EXPECT_EQ(hdf5::shape(hdf5::opened_file(path), "collisions/k").front(), 2);
+  EXPECT_EQ(read_checkpoint(path).state, large.state);
+  output.append(row(3));
+  finish(output, 3);
+  EXPECT_TRUE(read_output_info(path).log_complete);
+}
+
 TEST_F(OutputRecovery, OutputThatIsBeingWrittenIsLocked) {
   OutputFile output(path, planar_pair, Existing::refuse);
   write_run(output, 0);
