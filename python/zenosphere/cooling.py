@@ -16,15 +16,20 @@ EARLY = 0.5  # a fitted tau uses the snapshots with T above this fraction of T0
 
 @dataclass(frozen=True)
 class Haff:
-    """T(t) = T0 / (1 + t / tau)^2. Source: Haff, J. Fluid Mech. 134 (1983) 401."""
+    """T(t) = T0 / (1 + t / tau)^power. Source: Haff, J. Fluid Mech. 134 (1983) 401.
+
+    The power is 2 for a constant restitution and 5/3 for viscoelastic spheres (Brilliantov &
+    Poeschel, Phys. Rev. E 61 (2000) 5573).
+    """
 
     start: float  # T0, (diameter/time)^2
     tau: float  # time
     is_fitted: bool  # to the early part of the run, where no formula is known
+    power: float = 2
 
     def temperature(self, time):
         """T at the times given, (diameter/time)^2."""
-        return self.start / (1 + np.asarray(time) / self.tau) ** 2
+        return self.start / (1 + np.asarray(time) / self.tau) ** self.power
 
 
 def granular_temperature(positions, velocities, shear_rate=0.0, side=0.0):
@@ -66,8 +71,14 @@ def temperature_of_collisions(run, start, most=2000):
 
 
 def is_plain(run):
-    """Whether nothing feeds energy to the spheres of a run, and only they take it."""
-    return run.setting("drive", "kind") == "none" and not {"walls", "gravity"} & set(run.case)
+    """Whether nothing feeds energy to the spheres of a run, and each collision takes one share."""
+    return (run.setting("drive", "kind") == "none" and not {"walls", "gravity"} & set(run.case)
+            and not is_viscoelastic(run) and not run.setting("collision", "contact_duration"))
+
+
+def is_viscoelastic(run):
+    """Whether the restitution of a run depends on the speed."""
+    return run.setting("collision", "restitution_law") == "viscoelastic"
 
 
 def contact_value(dimension, fraction):
@@ -117,8 +128,8 @@ def haff_time(dimension, fraction, restitution, temperature):
         return float(1 / np.float64(loss * (1 + 3 / 16 * fourth_cumulant(dimension, restitution))))
 
 
-def fitted_time(time, temperature):
-    """tau from the early part, where sqrt(T0 / T) - 1 = t / tau; infinite if nothing decays.
+def fitted_time(time, temperature, power=2):
+    """tau from the early part, where (T0 / T)^(1 / power) - 1 = t / tau; infinite without decay.
 
     time, temperature: (T), the first one at the start
     """
@@ -126,7 +137,7 @@ def fitted_time(time, temperature):
     if not early.any():
         raise InputError("no snapshot in the early part (T falls below T0 / 2 before the first);"
                          " run the case again with a smaller output.snapshot_interval")
-    t, decay = time[early], np.sqrt(temperature[0] / temperature[early]) - 1
+    t, decay = time[early], (temperature[0] / temperature[early]) ** (1 / power) - 1
     slope = np.sum(t * decay) / np.sum(t * t)
     return float(1 / slope) if slope > 0 else float("inf")
 
@@ -141,4 +152,5 @@ def haff_of(run, time, temperature):
         tau = haff_time(run.setting("system", "dimension"), fraction,
                         run.setting("system", "restitution"), temperature[0])
         return Haff(temperature[0], tau, is_fitted=False)
-    return Haff(temperature[0], fitted_time(time, temperature), is_fitted=True)
+    power = 5 / 3 if is_viscoelastic(run) else 2
+    return Haff(temperature[0], fitted_time(time, temperature, power), is_fitted=True, power=power)

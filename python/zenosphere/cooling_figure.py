@@ -40,7 +40,8 @@ def _panel(axes, run, snapshots, ledger, haff):
     first = time[shown][0] if shown.any() else 1.0
     smooth = np.geomspace(min(first, haff.tau / 30), time[-1], 300)
     axes.loglog(smooth, haff.temperature(smooth), "--", color=HIT_COLOUR, linewidth=1.1,
-                label=f"Haff, $\\tau$ = {haff.tau:.3f}" + (" (fitted)" if haff.is_fitted else ""))
+                label=f"{_law(haff)}, $\\tau$ = {haff.tau:.3f}"
+                + (" (fitted)" if haff.is_fitted else ""))
     moment, level = ledger
     visible = (moment >= smooth[0]) & (level > 0)
     if visible.any():
@@ -54,9 +55,19 @@ def _panel(axes, run, snapshots, ledger, haff):
     axes.set_xlabel("Time (time unit of the case)")
     axes.set_ylabel("Granular temperature")
     axes.set_title(f"D = {run.setting('system', 'dimension')},"
-                   f" e = {words.short(run.setting('system', 'restitution'))}, N = {run.spheres};"
+                   f" e = {_restitution(run)}, N = {run.spheres};"
                    f" verdict: {run.verdict}", fontsize=9, loc="left")
     axes.legend(loc="lower left")
+
+
+def _law(haff):
+    return "Haff" if haff.power == 2 else "viscoelastic, $(1 + t/\\tau)^{-5/3}$"
+
+
+def _restitution(run):
+    if cooling.is_viscoelastic(run):
+        return f"e(v), A = {words.short(run.setting('collision', 'viscoelastic_constant'))}"
+    return words.short(run.setting("system", "restitution"))
 
 
 def _apart(time, per_decade=12):
@@ -70,7 +81,7 @@ def _said(haff, time, temperature):
     how = "fitted to the snapshots with T > T0 / 2" if haff.is_fitted else "by formula"
     ratio = temperature / haff.temperature(time)
     off = np.flatnonzero(np.abs(ratio - 1) > 0.1)
-    until = f"until t = {time[off[0]]:g}, where T / Haff = {ratio[off[0]]:.3g}" if off.size else (
+    until = f"until t = {time[off[0]]:g}, where T / law = {ratio[off[0]]:.3g}" if off.size else (
         "in the whole run")
-    return (f"tau = {haff.tau:.4g} ({how}); T within 10 % of Haff's law {until};"
-            f" T / Haff = {ratio[-1]:.4g} at the end, t = {time[-1]:g}")
+    return (f"tau = {haff.tau:.4g} ({how}); T within 10 % of the law {until};"
+            f" T / law = {ratio[-1]:.4g} at the end, t = {time[-1]:g}")

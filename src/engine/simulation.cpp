@@ -20,6 +20,9 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box,
       calendar_(spheres_.count()),
       pending_(start.positions.size()) {
   assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
+  if (rules.models.is_any()) {
+    contact_physics_.emplace(rules.models, rules.restitution, spheres(), box.clock_unit());
+  }
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
 }
 
@@ -184,6 +187,7 @@ void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision) {
   const auto motion = spheres_.motion(collision.i, collision.j, now_.remainder);
   collision.impact = impact(motion, rules_.restitution);
   collision.change = collision.impact.normal * -collision.impact.impulse;
+  if (contact_physics_) contact_physics_->amend(collision, motion.dv);
   const Vector velocity_a = a.velocity;
   const Vector velocity_b = b.velocity;
   a.velocity += collision.change;
@@ -197,7 +201,10 @@ void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision) {
 /// the wall, and so is its speed after a fall: neither is left to rounding.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::bounce(Collision<Dim, Real>& collision, int wall) {
-  const Walls<Real>& walls = *surroundings_.walls;
+  Walls<Real> walls = *surroundings_.walls;
+  if (contact_physics_) {
+    walls.restitution = contact_physics_->wall_restitution(collision, walls.restitution);
+  }
   auto& sphere = spheres_[collision.i];
   const Real outward = wall == 0 ? -1 : 1;
   const Real acceleration = -outward * surroundings_.acceleration[walls.axis];

@@ -6,8 +6,10 @@
 
 #include "engine/calendar.hpp"
 #include "engine/configuration.hpp"
+#include "engine/contact_physics.hpp"
 #include "engine/spheres.hpp"
 #include "model/collision.hpp"
+#include "model/contact_models.hpp"
 #include "model/overlap_rule.hpp"
 #include "model/shear_box.hpp"
 #include "model/walls.hpp"
@@ -20,6 +22,7 @@ struct ContactRules {
   Real restitution = 1;
   OverlapRule overlap = OverlapRule::rewind;
   Real guard = Real(1e-15);  ///< diameters^2/time; read by OverlapRule::guarded only
+  ContactModels<Real> models{};
 };
 
 /// What acts on the spheres besides each other.
@@ -120,6 +123,11 @@ class Simulation {
   std::int64_t cell_crossings() const { return cell_crossings_; }
   std::int64_t stale_events() const { return stale_events_; }
 
+  /// What the contact models have done, where there are any.
+  std::optional<ContactCounts> contact_counts() const {
+    return contact_physics_ ? std::optional(contact_physics_->counts()) : std::nullopt;
+  }
+
   /// Velocity relative to the imposed profile at the sphere's place now, diameters/time.
   Vector peculiar_velocity(std::int32_t sphere) const {
     return spheres_.peculiar_velocity(spheres_[sphere], now_.remainder);
@@ -189,6 +197,7 @@ class Simulation {
   Spheres<Dim, Real> spheres_;
   ContactRules<Real> rules_;
   Surroundings<Dim, Real> surroundings_;
+  std::optional<ContactPhysics<Dim, Real>> contact_physics_;  ///< only with contact models
   Calendar<Real> calendar_;
   std::vector<Pending> pending_;
   Instant<Real> now_;

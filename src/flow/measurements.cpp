@@ -47,15 +47,17 @@ template <int Dim, class Real>
 void Measurements<Dim, Real>::add_contact(const Collision<Dim, Real>& collision,
                                           const Simulation<Dim, Real>& simulation) {
   const auto& impact = collision.impact;
+  const auto wall = simulation.wall(collision.j);
+  // Smooth spheres hand over momentum along the normal, those of a contact model also across it.
+  const Vector momentum = wall ? impact.normal * impact.impulse : collision.change * Real(-1);
   for (int a = 0; a < Dim; ++a) {
     for (int b = 0; b < Dim; ++b) {
       sums_.collisional[static_cast<std::size_t>(a * Dim + b)] +=
-          impact.distance * impact.impulse * impact.normal[a] * impact.normal[b];
+          impact.distance * impact.normal[a] * momentum[b];
     }
   }
   sums_.normal_speed += impact.normal_speed;
   ++sums_.collisions;
-  const auto wall = simulation.wall(collision.j);
   if (!wall) {
     sums_.dissipation += impact.impulse * (impact.normal_speed - impact.impulse);
     return;
@@ -147,7 +149,9 @@ Real Measurements<Dim, Real>::kinetic_energy(const Simulation<Dim, Real>& simula
 template <int Dim, class Real>
 Real Measurements<Dim, Real>::shear_work(const Sums& sums) const {
   if constexpr (Dim == 1) return 0;
-  return -shear_rate_ * (sums.kinetic[Dim > 1 ? 1 : 0] + sums.collisional[Dim > 1 ? 1 : 0]);
+  // Momentum along x handed over along y: row y of the tensor, which rotated contacts make uneven.
+  const std::size_t yx = Dim > 1 ? Dim : 0;
+  return -shear_rate_ * (sums.kinetic[yx] + sums.collisional[yx]);
 }
 
 template <int Dim, class Real>

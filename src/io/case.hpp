@@ -12,6 +12,7 @@ namespace zenosphere {
 
 enum class DriveKind { none, shear, random };
 enum class Precision { double_precision, extended, quad, digits100 };
+enum class RestitutionLaw { constant, viscoelastic };
 enum class CollisionLog { all, window, none };
 enum class Axis { x, y, z };
 
@@ -39,7 +40,7 @@ struct Case {
   struct System {
     int dimension = 0;
     std::int64_t spheres = 0;
-    double restitution = 0;
+    double restitution = 0;             ///< read by RestitutionLaw::constant only
     double solids_volume_fraction = 0;  ///< of the box; 0 where `sides` are given
     double aspect_ratio = 1;            ///< side along x / each other side
     std::vector<double> sides{};        ///< D sides; empty: from the two keys above
@@ -72,6 +73,10 @@ struct Case {
     OverlapRule overlap = OverlapRule::rewind;
     double guard = 1e-15;  ///< diameter^2/time; only the rule `guarded` reads it
     Precision precision = Precision::double_precision;
+    RestitutionLaw restitution_law = RestitutionLaw::constant;
+    double viscoelastic_constant = 0;  ///< A, (time/diameter)^(1/5)
+    double contact_duration = 0;       ///< of the TC model, time; 0: not used
+    double rotation_angle = 0;         ///< largest, radians; 0: not used
   } collision;
   struct Collapse {
     double gap_threshold = 1e-16;  ///< diameters

@@ -37,6 +37,11 @@ Objection gravity_has_other_dimension(const Case& values) {
                      components, values.system.dimension);
 }
 
+Objection rotation_on_a_line(const Case& values) {
+  if (values.collision.rotation_angle == 0 || values.system.dimension > 1) return std::nullopt;
+  return "(nothing turns on a line, system.dimension = 1); remove it or use 2 or 3 dimensions";
+}
+
 /// What is wrong with the shape of positions or velocities written in the case.
 Objection wrong_shape(const std::vector<std::vector<double>>& rows, const Case& values) {
   if (values.start.arrangement != Arrangement::given || rows.empty()) return std::nullopt;
@@ -91,6 +96,7 @@ std::vector<Rule> all_rules() {
       {{"drive.kind", "system.dimension"}, shear_on_a_line},
       {{"drive.kind", "walls.axis"}, shear_between_walls},
       {{"gravity.acceleration", "system.dimension"}, gravity_has_other_dimension},
+      {{"collision.rotation_angle", "system.dimension"}, rotation_on_a_line},
       {{"start.granular_temperature", "drive.kind", "drive.shear_rate", "gravity.acceleration",
         "walls.lower_speed", "walls.upper_speed"},
        nothing_moves},

@@ -39,6 +39,14 @@ constexpr Condition only_from_file = {
     {"start.arrangement", ""},
     [](const Case& c) { return c.start.arrangement == Arrangement::file; },
     "start.arrangement = \"file\""};
+constexpr Condition only_constant = {
+    {"collision.restitution_law", ""},
+    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::constant; },
+    "collision.restitution_law = \"constant\""};
+constexpr Condition only_viscoelastic = {
+    {"collision.restitution_law", ""},
+    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::viscoelastic; },
+    "collision.restitution_law = \"viscoelastic\""};
 constexpr Condition only_sheared = {{"drive.kind", ""},
                                     [](const Case& c) { return c.drive.kind == DriveKind::shear; },
                                     "drive.kind = \"shear\""};
@@ -69,6 +77,8 @@ constexpr double longest_window = 1e8;
 constexpr double most_collisions = 1e15;
 // A coordinate at the far end is still good to a millionth of a diameter.
 constexpr double longest_side = 1e9;
+// A right angle: a pair may still recede then, whatever its velocity.
+constexpr double widest_rotation = 1.57;
 
 constexpr auto required = Presence::required;
 constexpr auto optional = Presence::optional;
@@ -80,7 +90,7 @@ constexpr std::array key_table{
     Key{"system", "spheres", required, [](Case& c) -> Slot { return &c.system.spheres; },
         from_to(1, most_spheres), nullptr, "number of spheres"},
     Key{"system", "restitution", required, [](Case& c) -> Slot { return &c.system.restitution; },
-        from_to(0, 1, "1 is elastic"), nullptr, "normal speed after a collision / before"},
+        from_to(0, 1, "1 is elastic"), &only_constant, "normal speed after a collision / before"},
     Key{"system", "solids_volume_fraction", optional,
         [](Case& c) -> Slot { return &c.system.solids_volume_fraction; }, above_to(0, 1),
         &only_without_sides, "volume of the spheres / volume of the box"},
@@ -131,6 +141,19 @@ constexpr std::array key_table{
         at_least(0), nullptr, "the rule guarded lets slower approach pass [diameter^2/time]"},
     Key{"collision", "precision", optional, [](Case& c) -> Slot { return &c.collision.precision; },
         any, nullptr, "of the arithmetic"},
+    Key{"collision", "restitution_law", optional,
+        [](Case& c) -> Slot { return &c.collision.restitution_law; }, any, nullptr,
+        "how the restitution depends on the speed"},
+    Key{"collision", "viscoelastic_constant", required,
+        [](Case& c) -> Slot { return &c.collision.viscoelastic_constant; }, above(0),
+        &only_viscoelastic, "A in e = 1 - C1 A v^(1/5) + ... [(time/diameter)^(1/5)]"},
+    Key{"collision", "contact_duration", optional,
+        [](Case& c) -> Slot { return &c.collision.contact_duration; }, at_least(0), nullptr,
+        "a sphere that collides again within it does so elastically; 0 is off [time]"},
+    Key{"collision", "rotation_angle", optional,
+        [](Case& c) -> Slot { return &c.collision.rotation_angle; },
+        from_to(0, widest_rotation, "0 is off"), nullptr,
+        "most that a collision turns the relative velocity, at random [radians]"},
     Key{"collapse", "gap_threshold", optional,
         [](Case& c) -> Slot { return &c.collapse.gap_threshold; }, above(0), nullptr,
         "a gap up to this meets the separation criterion [diameters]"},

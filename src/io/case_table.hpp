@@ -29,10 +29,11 @@ struct Range {
 };
 
 /// The member of a Case that a key fills.
-using Slot = std::variant<double*, int*, std::int64_t*, std::uint64_t*, bool*,
-                          std::optional<double>*, std::optional<std::int64_t>*, Arrangement*,
-                          DriveKind*, OverlapRule*, Precision*, CollisionLog*, std::optional<Axis>*,
-                          std::string*, std::vector<double>*, std::vector<std::vector<double>>*>;
+using Slot =
+    std::variant<double*, int*, std::int64_t*, std::uint64_t*, bool*, std::optional<double>*,
+                 std::optional<std::int64_t>*, Arrangement*, DriveKind*, OverlapRule*, Precision*,
+                 RestitutionLaw*, CollisionLog*, std::optional<Axis>*, std::string*,
+                 std::vector<double>*, std::vector<std::vector<double>>*>;
 
 /// Most spheres whose positions a case file may write down: they make it 15 MB large.
 inline constexpr std::size_t most_written_spheres = 100'000;

@@ -33,6 +33,8 @@ constexpr std::array overlap_words{
 constexpr std::array precision_words{
     Word{"double", Precision::double_precision}, Word{"extended", Precision::extended},
     Word{"quad", Precision::quad}, Word{"digits100", Precision::digits100}};
+constexpr std::array law_words{Word{"constant", RestitutionLaw::constant},
+                               Word{"viscoelastic", RestitutionLaw::viscoelastic}};
 constexpr std::array log_words{Word{"all", CollisionLog::all}, Word{"window", CollisionLog::window},
                                Word{"none", CollisionLog::none}};
 
@@ -41,6 +43,7 @@ const auto& words_of(DriveKind) { return drive_words; }
 const auto& words_of(Axis) { return axis_words; }
 const auto& words_of(OverlapRule) { return overlap_words; }
 const auto& words_of(Precision) { return precision_words; }
+const auto& words_of(RestitutionLaw) { return law_words; }
 const auto& words_of(CollisionLog) { return log_words; }
 
 /// Why a value cannot be stored; empty if it was.

@@ -38,11 +38,12 @@ struct CollisionRow {
 };
 
 namespace collision_flag {
-inline constexpr std::uint8_t hit = 1;           ///< gap at or below the threshold
-inline constexpr std::uint8_t overlap = 2;       ///< overlapped while approaching
-inline constexpr std::uint8_t absorbed = 4;      ///< changed no bit of a velocity
-inline constexpr std::uint8_t receding = 8;      ///< receding by rounding: no impulse
-inline constexpr std::uint8_t clock_stood = 16;  ///< the clock did not move forward
+inline constexpr std::uint8_t hit = 1;            ///< gap at or below the threshold
+inline constexpr std::uint8_t overlap = 2;        ///< overlapped while approaching
+inline constexpr std::uint8_t absorbed = 4;       ///< changed no bit of a velocity
+inline constexpr std::uint8_t receding = 8;       ///< receding by rounding: no impulse
+inline constexpr std::uint8_t clock_stood = 16;   ///< the clock did not move forward
+inline constexpr std::uint8_t made_elastic = 32;  ///< by the TC model
 }  // namespace collision_flag
 
 /// Rows of the collision log, column by column as they are stored.

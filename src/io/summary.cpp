@@ -47,6 +47,12 @@ Json arrest(const Summary::Arrest& arrest) {
           {"flight_ratio", or_null(arrest.flight_ratio)}};
 }
 
+Json contact(const Summary::Contact& contact) {
+  return {{"mean_restitution", or_null(contact.mean_restitution)},
+          {"made_elastic", contact.made_elastic},
+          {"rotated", contact.rotated}};
+}
+
 /// The keys of `averages`, each null where nothing was averaged.
 Json averages(const std::optional<Averages>& averages, int dimension) {
   const auto a = averages.value_or(Averages{});
@@ -147,6 +153,14 @@ std::string criteria_lines(const Summary& s) {
                           s.absorbed, s.overlap_collisions, s.receding, s.overlaps_ignored));
 }
 
+/// What the law of restitution and the contact models came to.
+std::string contact_line(const Summary::Contact& contact) {
+  if (!contact.mean_restitution) return "";
+  return line("mean restitution",
+              fmt::format("{:.6g} ({} collisions made elastic, {} rotated)",
+                          *contact.mean_restitution, contact.made_elastic, contact.rotated));
+}
+
 std::string row_text(const std::vector<double>& values, std::size_t first, std::size_t count) {
   std::string text;
   for (std::size_t k = first; k < first + count; ++k) text += fmt::format("{:<14.6g}", values[k]);
@@ -205,13 +219,15 @@ std::string to_json(const Summary& summary, int dimension) {
                      {"ended_by", summary.ended_by},
                      {"overlap_collisions", summary.overlap_collisions},
                      {"overlaps_ignored", summary.overlaps_ignored},
-                     {"receding", summary.receding}};
+                     {"receding", summary.receding},
+                     {"contact", contact(summary.contact)}};
   return json.dump();
 }
 
 std::string to_text(const Summary& summary, int dimension) {
   std::string text = verdict_sentence(summary) + "\n\n";
-  text += run_lines(summary) + criteria_lines(summary) + cost_lines(summary);
+  text += run_lines(summary) + criteria_lines(summary);
+  text += contact_line(summary.contact) + cost_lines(summary);
   if (summary.averages) {
     text += '\n';
     text += average_lines(*summary.averages, static_cast<std::size_t>(dimension));

@@ -45,6 +45,13 @@ struct Summary {
   std::int64_t overlaps_ignored = 0;    ///< predictions that `guarded` let pass
   std::int64_t receding = 0;            ///< contacts that rounding had turned into recession
 
+  /// What the law of restitution and the contact models came to.
+  struct Contact {
+    std::optional<double> mean_restitution;  ///< of the collisions of two spheres
+    std::int64_t made_elastic = 0;           ///< collisions that the TC model made elastic
+    std::int64_t rotated = 0;                ///< collisions with the relative velocity turned
+  } contact;
+
   std::optional<Averages> averages;  ///< absent where the measured span is empty
 
   double ledger_error = 0;  ///< relative

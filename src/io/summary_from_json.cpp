@@ -65,6 +65,13 @@ void read_collapse(const Json& json, Summary& summary) {
   read(arrest, "flight_ratio", summary.arrest.flight_ratio);
 }
 
+/// Absent from files of version 0.1.0 that were written before there were contact models.
+void read_contact(const Json& json, Summary::Contact& contact) {
+  read(json, "mean_restitution", contact.mean_restitution);
+  read(json, "made_elastic", contact.made_elastic);
+  read(json, "rotated", contact.rotated);
+}
+
 Summary summary_of(const Json& json) {
   Summary summary;
   read(json, "collisions", summary.collisions);
@@ -83,6 +90,7 @@ Summary summary_of(const Json& json) {
   read(json, "overlap_collisions", summary.overlap_collisions);
   read(json, "overlaps_ignored", summary.overlaps_ignored);
   read(json, "receding", summary.receding);
+  if (json.contains("contact")) read_contact(json.at("contact"), summary.contact);
   return summary;
 }
 

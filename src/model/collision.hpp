@@ -16,10 +16,12 @@ struct Collision {
   std::int32_t i = 0;
   std::int32_t j = 0;  ///< > i; the number of spheres and one more stand for the two walls
   Impact<Dim, Real> impact;
-  Vec<Dim, Real> change;  ///< of the velocity of i; that of a sphere j is the opposite
+  Vec<Dim, Real> change;  ///< of the velocity of i; that of a sphere j is the opposite. Along the
+                          ///< normal unless a wall is rough or a contact model has turned it
   Real gap_before = 0;    ///< of this pair at the collision before (or the kick, if one came since)
-  bool overlapping = false;  ///< the overlap rule gave the time
-  bool absorbed = false;     ///< no bit of any velocity has changed
+  bool overlapping = false;   ///< the overlap rule gave the time
+  bool absorbed = false;      ///< no bit of any velocity has changed
+  bool made_elastic = false;  ///< by the TC model
 };
 
 }  // namespace zenosphere

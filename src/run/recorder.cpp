@@ -42,6 +42,7 @@ void Recorder<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
   if (collision.overlapping) waiting_->flags |= collision_flag::overlap;
   if (collision.absorbed) waiting_->flags |= collision_flag::absorbed;
   if (!(collision.impact.normal_speed > 0)) waiting_->flags |= collision_flag::receding;
+  if (collision.made_elastic) waiting_->flags |= collision_flag::made_elastic;
   if (!(collision.flight > 0)) waiting_->flags |= collision_flag::clock_stood;
 }
 

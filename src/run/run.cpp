@@ -227,12 +227,21 @@ class Run {
     summary.overlap_collisions = counts_.overlapping;
     summary.overlaps_ignored = simulation_.overlaps_ignored();
     summary.receding = counts_.receding;
+    summary.contact = contact();
     summary.averages = measurements_.averages(simulation_);
     summary.ledger_error = measurements_.ledger_error(simulation_);
     summary.wall_seconds = wall_seconds();
     summary.collisions_per_second = static_cast<double>(summary.collisions) / summary.wall_seconds;
     summary.peak_memory_bytes = peak_memory_bytes();
     return summary;
+  }
+
+  Summary::Contact contact() const {
+    const auto counts = simulation_.contact_counts();
+    if (!counts) return {values_.system.restitution, 0, 0};
+    Summary::Contact contact{std::nullopt, counts->made_elastic, counts->rotated};
+    if (counts->collisions > 0) contact.mean_restitution = counts->mean_restitution;
+    return contact;
   }
 
   void add_collapse(Summary& summary) const {

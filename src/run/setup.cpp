@@ -52,12 +52,6 @@ Configuration<Dim, Real> given_configuration(const Case& values, const ShearBox<
   return start;
 }
 
-template <class Real>
-ContactRules<Real> rules_of(const Case& values) {
-  return {from_decimal<Real>(values.system.restitution), values.collision.overlap,
-          from_decimal<Real>(values.collision.guard)};
-}
-
 }  // namespace
 
 template <int Dim, class Real>
@@ -78,6 +72,20 @@ Configuration<Dim, Real> start_of(const Case& values, const ShearBox<Dim, Real>&
     throw InputError(std::string("start: ") + error.what() +
                      "; lower system.solids_volume_fraction or choose another start");
   }
+}
+
+template <class Real>
+ContactRules<Real> contact_rules_of(const Case& values) {
+  const auto& collision = values.collision;
+  ContactRules<Real> rules{from_decimal<Real>(values.system.restitution), collision.overlap,
+                           from_decimal<Real>(collision.guard)};
+  if (collision.restitution_law == RestitutionLaw::viscoelastic) {
+    rules.models.viscoelastic.emplace(from_decimal<Real>(collision.viscoelastic_constant));
+  }
+  rules.models.contact_duration = from_decimal<Real>(collision.contact_duration);
+  rules.models.rotation_angle = from_decimal<Real>(collision.rotation_angle);
+  rules.models.seed = values.start.seed;
+  return rules;
 }
 
 template <int Dim, class Real>
@@ -101,14 +109,14 @@ Surroundings<Dim, Real> surroundings_of(const Case& values) {
 template <int Dim, class Real>
 Simulation<Dim, Real> new_simulation(const Case& values) {
   const auto box = box_of<Dim, Real>(values);
-  return {box, start_of<Dim, Real>(values, box), rules_of<Real>(values),
+  return {box, start_of<Dim, Real>(values, box), contact_rules_of<Real>(values),
           surroundings_of<Dim, Real>(values)};
 }
 
 template <int Dim, class Real>
 Simulation<Dim, Real> archived_simulation(const Case& values, ArchiveReader& archive) {
-  return {box_of<Dim, Real>(values), rules_of<Real>(values), surroundings_of<Dim, Real>(values),
-          archive};
+  return {box_of<Dim, Real>(values), contact_rules_of<Real>(values),
+          surroundings_of<Dim, Real>(values), archive};
 }
 
 OutputHeader output_header(const Case& values) {
@@ -125,6 +133,11 @@ OutputHeader output_header(const Case& values) {
   template Simulation<Dim, Real> new_simulation<Dim, Real>(const Case&);                          \
   template Simulation<Dim, Real> archived_simulation<Dim, Real>(const Case&, ArchiveReader&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+#define ZENOSPHERE_INSTANTIATE(Real) \
+  template ContactRules<Real> contact_rules_of<Real>(const Case&);
+ZENOSPHERE_FOR_EACH_REAL(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 
 }  // namespace zenosphere

@@ -16,6 +16,10 @@ namespace zenosphere {
 template <int Dim, class Real>
 Configuration<Dim, Real> start_of(const Case& values, const ShearBox<Dim, Real>& box);
 
+/// The rules of contact of a case, contact models included.
+template <class Real>
+ContactRules<Real> contact_rules_of(const Case& values);
+
 /// Gravity and walls of a case.
 template <int Dim, class Real>
 Surroundings<Dim, Real> surroundings_of(const Case& values);

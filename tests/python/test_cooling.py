@@ -13,10 +13,11 @@ from zenosphere.run_file import RunFile
 SPHERES = 400
 
 
-def write_cooling(path, temperatures, interval=0.5, kind="none", dimension=3, log=None):
+def write_cooling(path, temperatures, interval=0.5, kind="none", dimension=3, log=None,
+                  collision=""):
     """A run whose snapshots have the given granular temperatures, and its path.
 
-    log: (time, normal_speed) of its collisions
+    log: (time, normal_speed) of its collisions;  collision: lines of the table [collision]
     """
     random = np.random.default_rng(seed=1)
     pattern = random.standard_normal((SPHERES, dimension))
@@ -38,7 +39,7 @@ def write_cooling(path, temperatures, interval=0.5, kind="none", dimension=3, lo
         group["summary"] = json.dumps({"verdict": "none"})
         group["resolved"] = (f"[system]\ndimension = {dimension}\nspheres = {SPHERES}\n"
                              "restitution = 0.9\nsolids_volume_fraction = 0.3\n"
-                             f'[drive]\nkind = "{kind}"\n{rate}')
+                             f'[drive]\nkind = "{kind}"\n{rate}[collision]\n{collision}')
         if log:
             collisions = file.create_group("collisions")
             collisions.attrs["complete"] = 1
@@ -123,3 +124,20 @@ def test_folder_that_is_not_there_is_exit_code_4(tmp_path, capsys):
     path = write_cooling(tmp_path / "run.h5", haff(np.arange(9), 2.0))
     assert main(["cooling", str(path), "-o", str(tmp_path / "no" / "haff.png")]) == 4
     assert "haff.png: cannot be written" in capsys.readouterr().err
+
+
+def test_viscoelastic_run_is_fitted_with_the_power_five_thirds(tmp_path):
+    time = 0.5 * np.arange(20)
+    path = write_cooling(tmp_path / "run.h5", (1 + time / 4.0) ** (-5 / 3),
+                         collision='restitution_law = "viscoelastic"\nviscoelastic_constant = 0.1\n')
+    with RunFile(path) as run:
+        law = cooling.haff_of(run, *cooling.temperature_of_snapshots(run))
+    assert (law.tau, law.power, law.is_fitted) == (pytest.approx(4.0, rel=1e-6), 5 / 3, True)
+    assert main(["cooling", str(path), "-o", str(tmp_path / "cooling.png")]) == 0
+
+
+def test_losses_are_not_counted_where_some_collisions_are_elastic(tmp_path):
+    path = write_cooling(tmp_path / "run.h5", [1, 0.9], log=([0.1], [1.0]),
+                         collision="contact_duration = 1e-3\n")
+    with RunFile(path) as run:
+        assert cooling.temperature_of_collisions(run, 1.0)[0].size == 0

@@ -10,6 +10,7 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 sys.path.insert(0, str(EXAMPLES))
 
 import scan_random_acceleration as acceleration  # noqa: E402
+import scan_contact_duration as duration  # noqa: E402
 import scan_rods as rods  # noqa: E402
 import scan_shear as shear  # noqa: E402
 import scan_three_balls as balls  # noqa: E402
@@ -117,3 +118,15 @@ def test_shear_counts_runs_and_hits():
              "collisions": 2000}]
     assert shear.counted(runs) == (1, 1, "1 none, 1 true")
     assert shear.hits_per_million(runs) == pytest.approx(10000)
+
+
+def test_a_run_that_ended_before_its_averages_shows_dashes():
+    run = {"averages": {"to_time": None}, "contact": {"made_elastic": 1}, "collisions": 2,
+           "verdict": "true", "separation": {"hits": 3}}
+    assert duration.row(0, [run, run]) == "| 0 | true, true | 3, 3 | 0.5 | – | – | – | – |"
+
+
+def test_error_over_seeds_is_that_of_the_mean():
+    mean, error = duration.mean_and_error([1, 2, 3, 4])
+    # Variance 5/3 of one, so sqrt(5/12) of the mean of four.
+    assert (mean, error) == (2.5, pytest.approx(np.sqrt(5 / 12)))

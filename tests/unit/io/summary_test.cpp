@@ -43,11 +43,11 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
   const auto json = Json::parse(to_json(collapsed_summary(), 2));
   EXPECT_EQ(keys(json),
-            (std::vector<std::string>{"collisions", "collisions_per_sphere", "time", "strain",
-                                      "outcome", "verdict", "separation", "arrest", "absorbed",
-                                      "averages", "ledger_error", "wall_seconds",
-                                      "collisions_per_second", "peak_memory_bytes", "ended_by",
-                                      "overlap_collisions", "overlaps_ignored", "receding"}));
+            (std::vector<std::string>{
+                "collisions", "collisions_per_sphere", "time", "strain", "outcome", "verdict",
+                "separation", "arrest", "absorbed", "averages", "ledger_error", "wall_seconds",
+                "collisions_per_second", "peak_memory_bytes", "ended_by", "overlap_collisions",
+                "overlaps_ignored", "receding", "contact"}));
   EXPECT_EQ(keys(json["separation"]),
             (std::vector<std::string>{"hits", "first_collision", "first_time", "last_collision"}));
   EXPECT_EQ(keys(json["arrest"]),
