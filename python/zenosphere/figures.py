@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Callable
 
-from . import panels, windows
+from . import anatomy_panels, panels, windows
 from .errors import OutputError
 
 
@@ -13,7 +13,7 @@ class FigurePlan:
 
     name: str  # file name without suffix
     draw: Callable  # of panels: (axes, run, window)
-    window: Callable  # of windows: run -> (first, last)
+    window: Callable  # of windows: run -> (first, last); of an anatomy: run -> which one
     caption: str
 
 
@@ -45,6 +45,17 @@ ANY_RUN = (
                "Which pairs collide around the arrest, the last hit, or the end."),
 )
 
+WHAT_COLLAPSES = {
+    which: (
+        FigurePlan(f"{which}-decay", anatomy_panels.decay, lambda _, name=which: name,
+                   f"Gaps, speeds and flights of the cluster that collapses, up to the {moment}."),
+        FigurePlan(f"{which}-cluster", anatomy_panels.cluster, lambda _, name=which: name,
+                   f"The cluster at the {moment}, with the contacts that repeat."),
+        FigurePlan(f"{which}-pairs", anatomy_panels.raster, lambda _, name=which: name,
+                   f"Which of its pairs collide, up to the {moment}."),
+    ) for which, moment in (("hit", "first hit"), ("arrest", "arrest"))
+}
+
 
 def draw_paper_figures(run, plans, folder):
     """Draws the paper's figures of one run; needs its complete collision log.
@@ -57,11 +68,14 @@ def draw_paper_figures(run, plans, folder):
 
 
 def draw_general_figures(run, folder):
-    """Draws ANY_RUN of one run, files named after it; a part of a log will do.
+    """Draws ANY_RUN of one run and WHAT_COLLAPSES, files named after it; a part of a log will do.
 
     Returns the paths written. Raises InputError, OutputError.
     """
-    return _drawn(run, ANY_RUN, folder, prefix=f"{run.name}-")
+    plans = ANY_RUN
+    for which, anatomy in WHAT_COLLAPSES.items():
+        plans += anatomy if run.dissection(which) else ()
+    return _drawn(run, plans, folder, prefix=f"{run.name}-")
 
 
 def captions(prefix=""):
@@ -69,7 +83,8 @@ def captions(prefix=""):
 
     prefix: of the general figures; without one, the paper's.
     """
-    plans = ANY_RUN if prefix else FALSE_POSITIVE + TRUE_COLLAPSE
+    general = ANY_RUN + sum(WHAT_COLLAPSES.values(), ())
+    plans = general if prefix else FALSE_POSITIVE + TRUE_COLLAPSE
     return {prefix + plan.name: plan.caption for plan in plans}
 
 

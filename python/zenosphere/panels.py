@@ -26,8 +26,8 @@ STYLE = {
 def save(draw, run, window, path):
     """Writes one figure as path.png and path.pdf and returns the two paths.
 
-    draw:   separation, time or pairs_raster of this module
-    window: (first, last) collision numbers shown
+    draw:   a panel of this module or of anatomy_panels
+    window: (first, last) collision numbers shown, or what else `draw` takes
     path:   Path without suffix
     Raises OutputError where a file cannot be written.
     """

@@ -8,6 +8,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from . import dissection
 from .errors import InputError
 
 FORMAT_VERSION = 1
@@ -18,6 +19,7 @@ OVERLAP = 2  # the overlap rule was used
 ABSORBED = 4  # no bit of a velocity changed
 RECEDING = 8  # receding by rounding, no impulse
 CLOCK_STOOD = 16  # the clock did not move forward
+MADE_ELASTIC = 32  # by the TC model
 
 COLUMNS = ("k", "time", "i", "j", "gap", "normal_speed", "flags")
 
@@ -122,6 +124,11 @@ class RunFile:
         for number in range(spheres["position/value"].shape[0]):
             yield tuple(spheres[name][number]
                         for name in ("position/value", "velocity/value", "box/edges/value"))
+
+    def dissection(self, which):
+        """The anatomy of the first "hit" or of the "arrest"; None where there is none."""
+        group = self._file.get(f"zenosphere/anatomy/{which}")
+        return None if group is None else dissection.read(group)
 
     def setting(self, table, key):
         """The resolved value of `table.key`, or None where the case has no such key."""

@@ -81,6 +81,8 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
                    "events of another number of spheres");
   archive_clock(*this, archive);
   require_archived(collisions_ >= 0 && collisions_ <= most_units, "a count that there is not");
+  apply_models();
+  if (contact_physics_) archive(*contact_physics_);
   for (std::int32_t i = 0; i < spheres(); ++i) {
     require_possible(i);
     schedule(i);
@@ -92,6 +94,7 @@ void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   spheres_.archive_to(archive);
   archive(pending_);
   archive_clock(*this, archive);
+  if (contact_physics_) archive(*contact_physics_);
 }
 
 /// Throws ArchiveError where sphere i has an event that no prediction makes.

@@ -73,13 +73,12 @@ void ContactPhysics<Dim, Real>::amend(Collision<Dim, Real>& collision, const Vec
 }
 
 template <int Dim, class Real>
-Real ContactPhysics<Dim, Real>::wall_restitution(Collision<Dim, Real>& collision,
-                                                 const Real& restitution) {
-  if (last_contact_.empty()) return restitution;
+void ContactPhysics<Dim, Real>::amend(Collision<Dim, Real>& collision, Walls<Real>& walls) {
+  if (last_contact_.empty()) return;
   collision.made_elastic = is_lasting(collision, collision.i);
   last_contact_[static_cast<std::size_t>(collision.i)] = collision.time;
   counts_.made_elastic += collision.made_elastic;
-  return collision.made_elastic ? Real(1) : restitution;
+  if (collision.made_elastic) walls.restitution = 1;
 }
 
 /// Whether the contact of the sphere before this collision is not over yet, for the TC model.

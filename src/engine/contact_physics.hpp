@@ -4,9 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "model/archive.hpp"
 #include "model/collision.hpp"
 #include "model/contact_models.hpp"
 #include "model/random.hpp"
+#include "model/walls.hpp"
 
 namespace zenosphere {
 
@@ -16,6 +18,11 @@ struct ContactCounts {
   double mean_restitution = 0;    ///< of these
   std::int64_t made_elastic = 0;  ///< of these, and of bounces off walls, by the TC model
   std::int64_t rotated = 0;       ///< of these, with the relative velocity turned
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.collisions, self.mean_restitution, self.made_elastic, self.rotated);
+  }
 };
 
 /// Applies the contact models of a case to one collision after another, and remembers what they
@@ -37,12 +44,19 @@ class ContactPhysics {
   /// \param dv  velocity of j minus velocity of i at contact, diameters/time
   void amend(Collision<Dim, Real>& collision, const Vector& dv);
 
-  /// The restitution of a bounce off a wall: 1 where the TC model makes it elastic.
-  ///
-  /// \param restitution  of the wall
-  Real wall_restitution(Collision<Dim, Real>& collision, const Real& restitution);
+  /// Makes the walls elastic for a bounce off one of them that comes within the contact duration.
+  void amend(Collision<Dim, Real>& collision, Walls<Real>& walls);
 
   const ContactCounts& counts() const { return counts_; }
+
+  /// \throws ArchiveError for the state of other models or of another number of spheres
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    const std::size_t remembered = self.last_contact_.size();
+    archive(self.last_contact_, self.random_, self.counts_);
+    require_archived(self.last_contact_.size() == remembered,
+                     "contacts of another number of spheres");
+  }
 
  private:
   bool is_lasting(const Collision<Dim, Real>& collision, std::int32_t sphere) const;

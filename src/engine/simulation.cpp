@@ -20,9 +20,7 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box,
       calendar_(spheres_.count()),
       pending_(start.positions.size()) {
   assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
-  if (rules.models.is_any()) {
-    contact_physics_.emplace(rules.models, rules.restitution, spheres(), box.clock_unit());
-  }
+  apply_models();
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
 }
 
@@ -202,9 +200,7 @@ void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision) {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::bounce(Collision<Dim, Real>& collision, int wall) {
   Walls<Real> walls = *surroundings_.walls;
-  if (contact_physics_) {
-    walls.restitution = contact_physics_->wall_restitution(collision, walls.restitution);
-  }
+  if (contact_physics_) contact_physics_->amend(collision, walls);
   auto& sphere = spheres_[collision.i];
   const Real outward = wall == 0 ? -1 : 1;
   const Real acceleration = -outward * surroundings_.acceleration[walls.axis];

@@ -192,6 +192,11 @@ class Simulation {
             self.at_rest_);
   }
 
+  void apply_models() {
+    if (!rules_.models.is_any()) return;
+    contact_physics_.emplace(rules_.models, rules_.restitution, spheres(), box().clock_unit());
+  }
+
   Pending& pending(std::int32_t i) { return pending_[static_cast<std::size_t>(i)]; }
 
   Spheres<Dim, Real> spheres_;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "io/anatomy_group.hpp"
 #include "io/build_info.hpp"
 #include "io/checksum.hpp"
 #include "io/hdf5.hpp"
@@ -202,7 +203,7 @@ void OutputDatasets::rewind_to(std::int64_t log_rows, std::int64_t snapshots) {
   contents_->trajectory.truncate(snapshots);
   contents_->log.mark(false);
   hdf5::write_attribute(contents_->own, "complete", std::uint8_t{0});
-  hdf5::remove(contents_->own, "summary");
+  for (const char* end : {"summary", "anatomy"}) hdf5::remove(contents_->own, end);
 }
 
 void OutputDatasets::set_resolved_case(const std::string& text) {
@@ -227,9 +228,11 @@ void OutputDatasets::store(const Checkpoint& checkpoint) {
   state_series(group, checkpoint.state.size()).replace(checkpoint.state);
 }
 
-void OutputDatasets::finish(const Summary& summary) {
+void OutputDatasets::finish(const Summary& summary, const Anatomy& anatomy) {
   contents_->log.mark(contents_->log.length() == summary.collisions);
-  hdf5::write_text(contents_->own, "summary", to_json(summary, contents_->trajectory.dimension()));
+  const int dimension = contents_->trajectory.dimension();
+  write_anatomy(contents_->own, anatomy, dimension);
+  hdf5::write_text(contents_->own, "summary", to_json(summary, dimension));
   hdf5::remove(hdf5::opened(contents_->own, "checkpoint"), "summary");  // the other one holds more
   hdf5::write_attribute(contents_->own, "complete", std::uint8_t{1});
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collapse/dissection.hpp"
 #include "io/records.hpp"
 #include "io/summary.hpp"
 
@@ -53,8 +54,8 @@ class OutputDatasets {
   /// Stores a checkpoint in place of the one before.
   void store(const Checkpoint& checkpoint);
 
-  /// Writes the summary and the marks of completeness.
-  void finish(const Summary& summary);
+  /// Writes the summary, what was found in a collapse, and the marks of completeness.
+  void finish(const Summary& summary, const Anatomy& anatomy);
 
   /// Hands everything to the system and closes the file. The last call.
   void close();

@@ -247,12 +247,12 @@ void OutputFile::end(Checkpoint checkpoint) {
   keep_in_mind(std::move(checkpoint));
 }
 
-void OutputFile::finish(const Summary& summary) {
+void OutputFile::finish(const Summary& summary, const Anatomy& anatomy) {
   guarded([&] {
     flush_rows();
     if (!part_) ending_ = fold();
     part_->store(ending_);
-    part_->finish(summary);
+    part_->finish(summary, anatomy);
     publish();
   });
   journal_.remove();

@@ -70,8 +70,11 @@ class OutputFile {
   /// belongs to the end of the run.
   void end(Checkpoint checkpoint);
 
-  /// Writes summary, the checkpoint of `end` and the marks of completeness: one file is left.
-  void finish(const Summary& summary);
+  /// Writes summary, anatomy, the checkpoint of `end` and the marks of completeness: one file is
+  /// left.
+  ///
+  /// \param anatomy  what was found in a collapse, if there was one
+  void finish(const Summary& summary, const Anatomy& anatomy = {});
 
   /// Throws where the files of this output are no longer under their names: what is written then is
   /// lost to everybody.

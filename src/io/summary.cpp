@@ -47,6 +47,27 @@ Json arrest(const Summary::Arrest& arrest) {
           {"flight_ratio", or_null(arrest.flight_ratio)}};
 }
 
+Json dissected(const std::optional<Summary::Dissected>& dissected) {
+  if (!dissected) return nullptr;
+  const auto& d = *dissected;
+  return {{"collision", d.collision},
+          {"time", d.time},
+          {"clusters", d.clusters},
+          {"spheres", d.spheres},
+          {"contacts", d.contacts},
+          {"chain", d.chain},
+          {"straightness", d.straightness},
+          {"cycle", d.cycle},
+          {"gap_ratio", or_null(d.gap_ratio)},
+          {"speed_ratio", or_null(d.speed_ratio)},
+          {"flight_ratio", or_null(d.flight_ratio)},
+          {"exact_gap_ratio", or_null(d.exact_gap_ratio)},
+          {"exact_speed_ratio", or_null(d.exact_speed_ratio)},
+          {"exact_flight_ratio", or_null(d.exact_flight_ratio)},
+          {"collapse_time", or_null(d.collapse_time)},
+          {"collapse_time_error", or_null(d.collapse_time_error)}};
+}
+
 Json contact(const Summary::Contact& contact) {
   return {{"mean_restitution", or_null(contact.mean_restitution)},
           {"made_elastic", contact.made_elastic},
@@ -143,6 +164,24 @@ std::string series_text(const Summary::Arrest& arrest) {
                      arrest.extrapolated_time.value_or(0), arrest.flight_ratio.value_or(0));
 }
 
+std::string factor_text(std::string_view name, const std::optional<double>& ratio) {
+  return ratio ? fmt::format("; {} x {:.4g}", name, *ratio) : "";
+}
+
+std::string dissected_line(std::string_view name, const Summary::Dissected& d) {
+  const std::string factors = factor_text("gap", d.gap_ratio) +
+                              factor_text("speed", d.speed_ratio) +
+                              factor_text("flight", d.flight_ratio);
+  return line(name, fmt::format("{} spheres, a chain of {}, straightness {:.6g}{}{}", d.spheres,
+                                d.chain.size(), d.straightness, factors,
+                                factors.empty() ? "" : " per collision"));
+}
+
+std::string anatomy_lines(const Summary::Anatomy& anatomy) {
+  return (anatomy.hit ? dissected_line("cluster at first hit", *anatomy.hit) : "") +
+         (anatomy.arrest ? dissected_line("cluster at arrest", *anatomy.arrest) : "");
+}
+
 std::string criteria_lines(const Summary& s) {
   return line("separation criterion", separation_text(s.separation)) +
          line("arrest criterion", arrest_text(s.arrest)) +
@@ -202,32 +241,35 @@ std::string cost_lines(const Summary& s) {
 }  // namespace
 
 std::string to_json(const Summary& summary, int dimension) {
-  const Json json = {{"collisions", summary.collisions},
-                     {"collisions_per_sphere", summary.collisions_per_sphere},
-                     {"time", summary.time},
-                     {"strain", summary.strain},
-                     {"outcome", summary.outcome},
-                     {"verdict", summary.verdict},
-                     {"separation", separation(summary.separation)},
-                     {"arrest", arrest(summary.arrest)},
-                     {"absorbed", summary.absorbed},
-                     {"averages", averages(summary.averages, dimension)},
-                     {"ledger_error", summary.ledger_error},
-                     {"wall_seconds", summary.wall_seconds},
-                     {"collisions_per_second", summary.collisions_per_second},
-                     {"peak_memory_bytes", summary.peak_memory_bytes},
-                     {"ended_by", summary.ended_by},
-                     {"overlap_collisions", summary.overlap_collisions},
-                     {"overlaps_ignored", summary.overlaps_ignored},
-                     {"receding", summary.receding},
-                     {"contact", contact(summary.contact)}};
+  const Json json = {
+      {"collisions", summary.collisions},
+      {"collisions_per_sphere", summary.collisions_per_sphere},
+      {"time", summary.time},
+      {"strain", summary.strain},
+      {"outcome", summary.outcome},
+      {"verdict", summary.verdict},
+      {"separation", separation(summary.separation)},
+      {"arrest", arrest(summary.arrest)},
+      {"absorbed", summary.absorbed},
+      {"averages", averages(summary.averages, dimension)},
+      {"ledger_error", summary.ledger_error},
+      {"wall_seconds", summary.wall_seconds},
+      {"collisions_per_second", summary.collisions_per_second},
+      {"peak_memory_bytes", summary.peak_memory_bytes},
+      {"ended_by", summary.ended_by},
+      {"overlap_collisions", summary.overlap_collisions},
+      {"overlaps_ignored", summary.overlaps_ignored},
+      {"receding", summary.receding},
+      {"contact", contact(summary.contact)},
+      {"anatomy",
+       {{"hit", dissected(summary.anatomy.hit)}, {"arrest", dissected(summary.anatomy.arrest)}}}};
   return json.dump();
 }
 
 std::string to_text(const Summary& summary, int dimension) {
   std::string text = verdict_sentence(summary) + "\n\n";
   text += run_lines(summary) + criteria_lines(summary);
-  text += contact_line(summary.contact) + cost_lines(summary);
+  text += anatomy_lines(summary.anatomy) + contact_line(summary.contact) + cost_lines(summary);
   if (summary.averages) {
     text += '\n';
     text += average_lines(*summary.averages, static_cast<std::size_t>(dimension));

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "collapse/dissection.hpp"
 #include "flow/averages.hpp"
 
 namespace zenosphere {
@@ -40,6 +41,24 @@ struct Summary {
     std::optional<double> flight_ratio;       ///< its ratio
   } arrest;
 
+  /// The first cluster of a dissection, in short; the output file has all of it.
+  struct Dissected {
+    std::int64_t collision = 0;
+    double time = 0;
+    std::int64_t clusters = 0;
+    std::int64_t spheres = 0;
+    std::int64_t contacts = 0;
+    std::vector<std::int64_t> chain;
+    double straightness = 1;  ///< distance of the chain's ends / its length
+    double cycle = 0;         ///< collisions until the same pair comes again
+    std::optional<double> gap_ratio, speed_ratio, flight_ratio;  ///< per collision
+    std::optional<double> exact_gap_ratio, exact_speed_ratio, exact_flight_ratio;  ///< of a chain
+    std::optional<double> collapse_time, collapse_time_error;                      ///< extrapolated
+  };
+  struct Anatomy {
+    std::optional<Dissected> hit, arrest;
+  } anatomy;
+
   std::int64_t absorbed = 0;            ///< collisions that changed no bit of any velocity
   std::int64_t overlap_collisions = 0;  ///< collisions of a pair that overlapped while approaching
   std::int64_t overlaps_ignored = 0;    ///< predictions that `guarded` let pass
@@ -59,6 +78,9 @@ struct Summary {
   double collisions_per_second = 0;
   std::int64_t peak_memory_bytes = 0;
 };
+
+/// What a summary says of the anatomy of a collapse.
+Summary::Anatomy in_short(const Anatomy& anatomy);
 
 /// One JSON object on one line, keys as in docs/summary.md; absent values are null.
 std::string to_json(const Summary& summary, int dimension);

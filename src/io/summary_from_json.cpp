@@ -65,6 +65,28 @@ void read_collapse(const Json& json, Summary& summary) {
   read(arrest, "flight_ratio", summary.arrest.flight_ratio);
 }
 
+std::optional<Summary::Dissected> dissected(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  Summary::Dissected dissected;
+  read(json, "collision", dissected.collision);
+  read(json, "time", dissected.time);
+  read(json, "clusters", dissected.clusters);
+  read(json, "spheres", dissected.spheres);
+  read(json, "contacts", dissected.contacts);
+  read(json, "chain", dissected.chain);
+  read(json, "straightness", dissected.straightness);
+  read(json, "cycle", dissected.cycle);
+  read(json, "gap_ratio", dissected.gap_ratio);
+  read(json, "speed_ratio", dissected.speed_ratio);
+  read(json, "flight_ratio", dissected.flight_ratio);
+  read(json, "exact_gap_ratio", dissected.exact_gap_ratio);
+  read(json, "exact_speed_ratio", dissected.exact_speed_ratio);
+  read(json, "exact_flight_ratio", dissected.exact_flight_ratio);
+  read(json, "collapse_time", dissected.collapse_time);
+  read(json, "collapse_time_error", dissected.collapse_time_error);
+  return dissected;
+}
+
 /// Absent from files of version 0.1.0 that were written before there were contact models.
 void read_contact(const Json& json, Summary::Contact& contact) {
   read(json, "mean_restitution", contact.mean_restitution);
@@ -90,6 +112,10 @@ Summary summary_of(const Json& json) {
   read(json, "overlap_collisions", summary.overlap_collisions);
   read(json, "overlaps_ignored", summary.overlaps_ignored);
   read(json, "receding", summary.receding);
+  if (json.contains("anatomy")) {
+    summary.anatomy = {dissected(json.at("anatomy").at("hit")),
+                       dissected(json.at("anatomy").at("arrest"))};
+  }
   if (json.contains("contact")) read_contact(json.at("contact"), summary.contact);
   return summary;
 }

@@ -9,6 +9,7 @@
 
 #include "collapse/arrest_criterion.hpp"
 #include "collapse/collapse_time.hpp"
+#include "collapse/dissector.hpp"
 #include "collapse/separation_criterion.hpp"
 #include "collapse/verdict.hpp"
 #include "flow/measurements.hpp"
@@ -63,6 +64,8 @@ class Run {
         separation_(values.collapse.gap_threshold, box_.clock_unit()),
         arrest_(values.collapse.gap_threshold, values.collapse.window, box_.clock_unit()),
         collapse_time_(box_.clock_unit()),
+        dissector_(values.collapse.gap_threshold, simulation_.spheres(), box_.clock_unit(),
+                   constant_restitution(values)),
         measurements_(simulation_, values.measure.after_time),
         cadence_(values.output, simulation_.collisions()) {}
 
@@ -72,6 +75,8 @@ class Run {
         separation_.observe(*collision);
         arrest_.observe(*collision);
         collapse_time_.observe(*collision);
+        dissector_.observe(*collision);
+        if (arrest_.is_met()) dissector_.observe_arrest(arrest_.pairs());
         measurements_.observe(*collision, simulation_);
         if (recorder_) recorder_->observe(*collision);
         counts_.observe(*collision);
@@ -88,11 +93,12 @@ class Run {
     keep_the_end();
     if (const auto& pair = simulation_.stopped_before()) {
       separation_.observe_next(pair->gap);
+      dissector_.observe_next({pair->i, pair->j}, pair->gap);
       if (recorder_) recorder_->observe_next(pair->gap);
     }
     Summary result = summary();
     if (recorder_) recorder_->finish(simulation_);
-    if (file_) file_->finish(result);
+    if (file_) file_->finish(result, dissector_.anatomy());
     return result;
   }
 
@@ -188,8 +194,8 @@ class Run {
 
   template <class Self, class Archive>
   static void archive_observers(Self& self, Archive& archive) {
-    archive(self.driving_, self.separation_, self.arrest_, self.collapse_time_, self.measurements_,
-            self.counts_);
+    archive(self.driving_, self.separation_, self.arrest_, self.collapse_time_, self.dissector_,
+            self.measurements_, self.counts_);
   }
 
   /// Wall time of the whole run, with what it took before it was interrupted [s].
@@ -228,6 +234,7 @@ class Run {
     summary.overlaps_ignored = simulation_.overlaps_ignored();
     summary.receding = counts_.receding;
     summary.contact = contact();
+    summary.anatomy = in_short(dissector_.anatomy());
     summary.averages = measurements_.averages(simulation_);
     summary.ledger_error = measurements_.ledger_error(simulation_);
     summary.wall_seconds = wall_seconds();
@@ -263,6 +270,7 @@ class Run {
   SeparationCriterion<Dim, Real> separation_;
   ArrestCriterion<Dim, Real> arrest_;
   CollapseTime<Dim, Real> collapse_time_;
+  Dissector<Dim, Real> dissector_;
   Measurements<Dim, Real> measurements_;
   CheckpointCadence cadence_;
   std::optional<OutputFile> file_;

@@ -83,12 +83,19 @@ def test_log_has_the_documented_types_and_every_collision(file, sheared):
     assert np.all((0 <= i) & (i < j) & (j < 108))
 
 
-def test_every_path_of_a_file_is_documented(file, checkout):
-    page = (checkout / "docs" / "file-format.md").read_text()
-    words = set(re.findall(r"\w+", page))
+def names_in(file):
+    """The names of all groups, datasets and attributes, parts of a path by themselves."""
     names = []
     file.visititems(lambda name, item: names.extend([*name.split("/"), *item.attrs]))
-    assert set(names) <= words
+    return set(names)
+
+
+def test_every_path_of_a_file_is_documented(file, collapsed, checkout):
+    page = (checkout / "docs" / "file-format.md").read_text()
+    words = set(re.findall(r"\w+", page))
+    assert names_in(file) <= words
+    with h5py.File(collapsed[1]) as other:
+        assert {"anatomy", "hit", "arrest"} <= names_in(other) <= words
 
 
 def test_provenance_is_complete(file, program):
@@ -224,3 +231,33 @@ def test_run_of_no_length_has_one_snapshot(program):
     with h5py.File(path) as file:
         assert file[f"{SPHERES}/position/step"][()].tolist() == [0]
         assert len(file["collisions/k"]) == 0 and file["collisions"].attrs["complete"] == 1
+
+
+def test_anatomy_of_a_collapse_has_the_documented_types_and_shapes(collapsed):
+    expected = {"pairs": "<i4", "chain": "<i4", "bends": "<f8", "straightness": "<f8",
+                "spheres/sphere": "<i4", "spheres/cluster": "<i4", "spheres/position": "<f8",
+                "contacts/i": "<i4", "contacts/j": "<i4", "contacts/cluster": "<i4",
+                "contacts/collisions": "<i8", "collisions/k": "<i8", "collisions/time": "<f8",
+                "collisions/i": "<i4", "collisions/j": "<i4", "collisions/gap": "<f8",
+                "collisions/normal_speed": "<f8", "collisions/flight": "<f8"}
+    with h5py.File(collapsed[1]) as file:
+        for which in ("hit", "arrest"):
+            group = file[f"zenosphere/anatomy/{which}"]
+            assert {name: group[name].dtype.str for name in expected} == expected
+            assert group["spheres/position"].shape == (len(group["spheres/sphere"]), 3)
+            assert len(group["bends"]) == max(len(group["chain"]) - 2, 0)
+
+
+def test_anatomy_agrees_with_summary_and_log(collapsed):
+    summary, path = collapsed
+    with h5py.File(path) as file:
+        log = file["collisions"]
+        for which in ("hit", "arrest"):
+            group, short = file[f"zenosphere/anatomy/{which}"], summary["anatomy"][which]
+            assert group.attrs["collision"] == short["collision"]
+            assert group["chain"][()].tolist() == short["chain"]
+            row = group["collisions/k"][()] - 1
+            for name in ("i", "j", "normal_speed"):
+                assert np.array_equal(group[f"collisions/{name}"], log[name][()][row])
+        assert summary["anatomy"]["hit"]["collision"] == summary["separation"]["first_collision"]
+        assert summary["anatomy"]["arrest"]["collision"] == summary["arrest"]["collision"]

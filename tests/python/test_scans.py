@@ -10,6 +10,7 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 sys.path.insert(0, str(EXAMPLES))
 
 import scan_random_acceleration as acceleration  # noqa: E402
+import scan_anatomy as anatomy  # noqa: E402
 import scan_contact_duration as duration  # noqa: E402
 import scan_rods as rods  # noqa: E402
 import scan_shear as shear  # noqa: E402
@@ -130,3 +131,11 @@ def test_error_over_seeds_is_that_of_the_mean():
     mean, error = duration.mean_and_error([1, 2, 3, 4])
     # Variance 5/3 of one, so sqrt(5/12) of the mean of four.
     assert (mean, error) == (2.5, pytest.approx(np.sqrt(5 / 12)))
+
+
+def test_least_chain_is_three_rods_below_the_threshold_of_three_rods():
+    assert [anatomy.least_chain(e) for e in (0.05, 0.0717, 0.0719, 0.2, 0.6)] == [3, 3, 4, 5, 13]
+
+
+def test_run_without_a_hit_has_a_row_of_dashes():
+    assert anatomy.cells(0.9, 1, None) == ["0.9", "1", "no hit"] + ["–"] * 9

@@ -71,10 +71,13 @@ TEST_F(ContactDuration, HoldsForAClockThatStandsOrGoesBack) {
 
 TEST_F(ContactDuration, CountsABounceOffAWallAsACollision) {
   auto bounce = contact_of<1>(0, 4, {{-1.0}}, 0.2, 0.25);
-  EXPECT_EQ(physics.wall_restitution(bounce, 0.5), 0.5);
+  Walls<double> walls{.restitution = 0.5};
+  physics.amend(bounce, walls);
+  EXPECT_EQ(walls.restitution, 0.5);
   EXPECT_DOUBLE_EQ(meet(0, 1, 0.26), 1);
   bounce.time.remainder = 0.27;
-  EXPECT_EQ(physics.wall_restitution(bounce, 0.5), 1);
+  physics.amend(bounce, walls);
+  EXPECT_EQ(walls.restitution, 1);
   EXPECT_TRUE(bounce.made_elastic);
 }
 

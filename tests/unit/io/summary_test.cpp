@@ -42,12 +42,26 @@ std::vector<std::string> keys(const Json& object) {
 
 TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
   const auto json = Json::parse(to_json(collapsed_summary(), 2));
-  EXPECT_EQ(keys(json),
-            (std::vector<std::string>{
-                "collisions", "collisions_per_sphere", "time", "strain", "outcome", "verdict",
-                "separation", "arrest", "absorbed", "averages", "ledger_error", "wall_seconds",
-                "collisions_per_second", "peak_memory_bytes", "ended_by", "overlap_collisions",
-                "overlaps_ignored", "receding", "contact"}));
+  EXPECT_EQ(keys(json), (std::vector<std::string>{"collisions",
+                                                  "collisions_per_sphere",
+                                                  "time",
+                                                  "strain",
+                                                  "outcome",
+                                                  "verdict",
+                                                  "separation",
+                                                  "arrest",
+                                                  "absorbed",
+                                                  "averages",
+                                                  "ledger_error",
+                                                  "wall_seconds",
+                                                  "collisions_per_second",
+                                                  "peak_memory_bytes",
+                                                  "ended_by",
+                                                  "overlap_collisions",
+                                                  "overlaps_ignored",
+                                                  "receding",
+                                                  "contact",
+                                                  "anatomy"}));
   EXPECT_EQ(keys(json["separation"]),
             (std::vector<std::string>{"hits", "first_collision", "first_time", "last_collision"}));
   EXPECT_EQ(keys(json["arrest"]),
@@ -131,6 +145,43 @@ TEST(Summary, IsReadBackFromItsJson) {
   EXPECT_EQ(to_json(summary_from_json(with), 2), with);
   EXPECT_THROW(summary_from_json("{}"), InputError);
   EXPECT_THROW(summary_from_json("[1, 2"), InputError);
+}
+
+Summary::Dissected dissected_chain() {
+  Summary::Dissected found;
+  found.collision = 70;
+  found.time = 0.25;
+  found.clusters = 2;
+  found.spheres = 5;
+  found.contacts = 4;
+  found.chain = {4, 2, 3, 8, 9};
+  found.straightness = 0.995;
+  found.cycle = 4;
+  found.gap_ratio = 0.5;
+  found.collapse_time = 0.25000001;
+  found.collapse_time_error = 1e-9;
+  return found;
+}
+
+TEST(Summary, KeepsTheAnatomyInItsJsonAndTellsItInWords) {
+  Summary summary = collapsed_summary();
+  EXPECT_TRUE(Json::parse(to_json(summary, 2))["anatomy"]["hit"].is_null());
+  summary.anatomy.hit = dissected_chain();
+  const std::string json = to_json(summary, 2);
+  EXPECT_EQ(Json::parse(json)["anatomy"]["hit"]["chain"].dump(), "[4,2,3,8,9]");
+  EXPECT_TRUE(Json::parse(json)["anatomy"]["hit"]["speed_ratio"].is_null());
+  EXPECT_EQ(to_json(summary_from_json(json), 2), json);
+  EXPECT_NE(to_text(summary, 2)
+                .find("cluster at first hit    5 spheres, a chain of 5, straightness "
+                      "0.995; gap x 0.5 per collision\n"),
+            std::string::npos);
+}
+
+TEST(Summary, IsReadFromAFileThatHasNoAnatomyOrContactModels) {
+  auto json = Json::parse(to_json(collapsed_summary(), 2));
+  json.erase("anatomy");
+  json.erase("contact");
+  EXPECT_FALSE(summary_from_json(json.dump()).anatomy.hit);
 }
 
 TEST(Summary, TextBeginsWithTheVerdictInPlainWords) {

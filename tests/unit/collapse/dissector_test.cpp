@@ -1,0 +1,195 @@
+#include "collapse/dissector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "collapse/recent_collisions.hpp"
+
+namespace zenosphere {
+namespace {
+
+using Spheres = std::vector<std::int32_t>;
+constexpr double kThreshold = 1e-16;
+
+/// Hands collisions to a dissector of 100 disks.
+class Dissecting : public testing::Test {
+ protected:
+  using Normal = Vec<2, double>;
+
+  void collide(std::int32_t i, std::int32_t j, double gap, double speed, double time,
+               Normal normal = {{1, 0}}) {
+    Collision<2, double> collision;
+    collision.number = ++number;
+    collision.i = i;
+    collision.j = j;
+    collision.gap_before = gap;
+    collision.impact.normal = normal;
+    collision.impact.normal_speed = speed;
+    collision.time.remainder = time;
+    dissector.observe(collision);
+  }
+
+  /// Three balls by the factors of e = 0.05, from sphere `first` on, until a gap of zero.
+  void collapse(std::int32_t first, int collisions) {
+    double gap = 1;
+    double speed = 1;
+    double time = 0;
+    for (int n = 0; n < collisions; ++n) {
+      time += gap / speed;
+      const std::int32_t i = first + n % 2;
+      collide(i, i + 1, gap, speed, time);
+      gap *= 0.125;
+      speed *= 0.4;
+    }
+  }
+
+  Dissector<2, double> dissector{kThreshold, 100, 1.0, 0.05};
+  std::int64_t number = 0;
+};
+
+TEST_F(Dissecting, FindsTheClusterOfAHitAndItsFactors) {
+  collapse(5, 16);
+  EXPECT_FALSE(dissector.anatomy().hit);
+  collide(5, 6, 0, 1e-6, 2);
+  const Dissection hit = dissector.anatomy().hit.value();
+  EXPECT_EQ(hit.collision, 16);
+  ASSERT_EQ(hit.clusters.size(), 1u);
+  EXPECT_EQ(hit.clusters[0].spheres, (Spheres{5, 6, 7}));
+  EXPECT_EQ(hit.clusters[0].straightness, 1);
+  ASSERT_EQ(hit.clusters[0].contacts.size(), 2u);
+  EXPECT_EQ(hit.clusters[0].contacts[0].collisions, 8);
+  EXPECT_NEAR(hit.decay.gap->ratio, 0.125, 1e-12);
+  EXPECT_NEAR(hit.decay.speed->ratio, 0.4, 1e-12);
+  // Flights are differences of times near 1.45, good to 2e-16, down to 2e-11.
+  EXPECT_NEAR(hit.decay.flight->ratio, 0.3125, 1e-6);
+  EXPECT_NEAR(hit.decay.exact->gap, 0.125, 1e-15);
+  EXPECT_NEAR(hit.decay.collapse_time.value(), 1 / (1 - 0.3125), 1e-14);
+  EXPECT_EQ(hit.collisions.k.front(), 1);
+  EXPECT_EQ(hit.collisions.k.back(), 16);
+  EXPECT_EQ(hit.collisions.time.back(), 0);
+}
+
+TEST_F(Dissecting, LooksAtTheFirstHitOnly) {
+  collapse(5, 8);
+  collide(5, 6, 0, 1e-6, 2);
+  collide(20, 21, 0, 1e-6, 2);
+  EXPECT_EQ(dissector.anatomy().hit->collision, 8);
+}
+
+TEST_F(Dissecting, DoesNotTakeTheFirstCollisionForAHit) {
+  collide(0, 1, 0, 1, 0);  // the gap at the start is not one after a collision
+  EXPECT_FALSE(dissector.anatomy().hit);
+}
+
+TEST_F(Dissecting, MeasuresAClusterThroughTheCollisionsOfOthers) {
+  double gap = 1;
+  double speed = 1;
+  double time = 0;
+  for (int n = 0; n < 14; ++n) {  // another pair meets before each collision of the three
+    collide(80, 81, 0.3, 0.1, time + gap / speed / 2);
+    time += gap / speed;
+    collide(5 + n % 2, 6 + n % 2, gap / 2, speed, time);
+    gap *= 0.125;
+    speed *= 0.4;
+  }
+  collide(5, 6, 0, 1e-6, 2);
+  const Dissection hit = dissector.anatomy().hit.value();
+  EXPECT_EQ(hit.clusters[0].spheres, (Spheres{5, 6, 7}));
+  EXPECT_NEAR(hit.decay.gap->ratio, 0.125, 1e-6);
+  EXPECT_EQ(hit.collisions.k.size(), 14u);
+  ASSERT_EQ(hit.clusters.size(), 2u);  // the others repeat as well
+  EXPECT_EQ(hit.clusters[1].spheres, (Spheres{80, 81}));
+}
+
+TEST_F(Dissecting, TakesAPairWithItsLastCollisionForTheClusterOfAChanceHit) {
+  const double root = std::sqrt(3.0) / 2;
+  collide(3, 9, 0.1, 1, 0.5);
+  collide(0, 1, 0.2, 1, 1, {{1, 0}});
+  collide(1, 2, 0, 1, 1, {{-0.5, root}});  // the elastic triple
+  const Dissection hit = dissector.anatomy().hit.value();
+  EXPECT_EQ(hit.clusters[0].spheres, (Spheres{0, 1, 2}));
+  EXPECT_DOUBLE_EQ(hit.clusters[0].straightness, 0.5);
+  EXPECT_FALSE(hit.decay.gap);
+  EXPECT_FALSE(hit.decay.collapse_time);
+}
+
+TEST_F(Dissecting, KnowsThePairBeforeWhichARunWasStopped) {
+  collapse(5, 16);
+  dissector.observe_next({5, 6}, 1e-3);
+  EXPECT_FALSE(dissector.anatomy().hit);
+  dissector.observe_next({5, 6}, -1e-17);
+  EXPECT_EQ(dissector.anatomy().hit->clusters[0].spheres, (Spheres{5, 6, 7}));
+}
+
+TEST_F(Dissecting, FindsWhatLedToAnArrestOfOnePair) {
+  collapse(5, 20);
+  for (int n = 0; n < 5000; ++n) collide(6, 7, 0, 1e-9, 2);
+  EXPECT_FALSE(dissector.anatomy().arrest);
+  dissector.observe_arrest({{6, 7}});
+  const Dissection arrest = dissector.anatomy().arrest.value();
+  EXPECT_EQ(arrest.collision, 5020);
+  EXPECT_EQ(arrest.clusters[0].spheres, (Spheres{5, 6, 7}));
+  EXPECT_EQ(arrest.collisions.k.front(), 1);  // 5000 absorbed collisions have not pushed it out
+  EXPECT_EQ(arrest.collisions.k.back(), 5020);
+  EXPECT_NEAR(arrest.decay.gap->ratio, 0.125, 1e-12);
+}
+
+TEST_F(Dissecting, FindsBothClustersOfAnArrest) {
+  for (int n = 0; n < 40; ++n) {
+    collide(0, 1, 0, 1e-9, 2);
+    collide(7, 8, 0, 1e-9, 2);
+    collide(8, 9, 0, 1e-9, 2, {{0, 1}});
+  }
+  dissector.observe_arrest({{0, 1}, {7, 8}, {8, 9}});
+  const Dissection arrest = dissector.anatomy().arrest.value();
+  ASSERT_EQ(arrest.clusters.size(), 2u);
+  EXPECT_EQ(arrest.clusters[0].spheres, (Spheres{0, 1}));
+  EXPECT_EQ(arrest.clusters[1].spheres, (Spheres{7, 8, 9}));
+  EXPECT_DOUBLE_EQ(arrest.clusters[1].straightness, std::sqrt(0.5));
+}
+
+TEST_F(Dissecting, DoesNotConnectSpheresThroughAWall) {
+  for (int n = 0; n < 4; ++n) {
+    collide(3, 100, 0, 0.1, n);
+    collide(4, 100, 0, 0.1, n + 0.5);
+  }
+  dissector.observe_arrest({{3, 100}, {4, 100}});
+  const Dissection arrest = dissector.anatomy().arrest.value();
+  ASSERT_EQ(arrest.clusters.size(), 2u);
+  EXPECT_EQ(arrest.clusters[0].spheres, Spheres{3});
+  EXPECT_EQ(arrest.clusters[0].contacts[0].j, 100);
+}
+
+TEST(RecentCollisions, KeepABoundedNumberBeforeAndSinceTheClockStopped) {
+  RecentCollisions<1, double> recent(kThreshold, 1.0);
+  Collision<1, double> collision;
+  collision.impact.normal_speed = 1;
+  const auto observe = [&](double gap, double time) {
+    ++collision.number;
+    collision.gap_before = gap;
+    collision.time.remainder = time;
+    recent.observe(collision);
+  };
+  for (int n = 0; n < 3000; ++n) observe(0.1, n);
+  for (int n = 0; n < 3000; ++n) observe(0, 3000);
+  const auto traces = recent.traces();
+  EXPECT_EQ(recent.before_stretch(), 1024u);
+  EXPECT_EQ(traces.size(), 2048u);
+  EXPECT_EQ(traces[1023].number, 3000);
+  EXPECT_EQ(traces.back().number, 6000);
+  for (std::size_t n = 1; n < traces.size(); ++n) {
+    ASSERT_LT(traces[n - 1].number, traces[n].number);
+  }
+  observe(0, 3001);  // the clock has moved: what was a stretch has led here
+  const auto later = recent.traces();
+  EXPECT_EQ(later.size(), 1025u);
+  EXPECT_EQ(later.front().number, 6000 - 1023);
+  for (std::size_t n = 1; n < later.size(); ++n) {
+    ASSERT_EQ(later[n].number, later[n - 1].number + 1);
+  }
+}
+
+}  // namespace
+}  // namespace zenosphere

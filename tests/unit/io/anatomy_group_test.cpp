@@ -1,0 +1,68 @@
+#include "io/anatomy_group.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/hdf5_series.hpp"
+#include "unit/io/temporary_folder.hpp"
+
+namespace zenosphere {
+namespace {
+
+Dissection dissection_of_two_clusters() {
+  Dissection found;
+  found.collision = 7;
+  found.time = 0.5;
+  found.pairs = {{1, 2}};
+  Cluster first;
+  first.spheres = {1, 2, 5};
+  first.positions = {-1, 0, 0, 0, 1, 0};
+  first.contacts = {{1, 2, 4}, {2, 5, 3}};
+  first.chain = {1, 2, 5};
+  first.bends = {0.25};
+  Cluster second;
+  second.spheres = {8};
+  second.positions = {0, 0};
+  second.contacts = {{8, 9, 6}};
+  second.chain = {8};
+  found.clusters = {first, second};
+  found.collisions.k = {6, 7};
+  found.collisions.time = {-0.1, 0};
+  found.collisions.i = {1, 2};
+  found.collisions.j = {2, 5};
+  found.collisions.gap = {std::nan(""), 0.1};
+  found.collisions.normal_speed = {1, 0.4};
+  found.collisions.flight = {std::nan(""), 0.1};
+  found.decay.speed = DecayRate{0.4, 0.01};
+  return found;
+}
+
+TEST(AnatomyGroup, HoldsEveryClusterFlat) {
+  const TemporaryFolder folder;
+  const hdf5::Handle file = hdf5::created_file(folder.path / "a.h5");
+  write_anatomy(file, {dissection_of_two_clusters(), std::nullopt}, 2);
+  EXPECT_FALSE(hdf5::contains(hdf5::opened(file, "anatomy"), "arrest"));
+  const hdf5::Handle hit = hdf5::opened(file, "anatomy/hit");
+  EXPECT_EQ(hdf5::number_attribute(hit, "collision"), 7);
+  using Ids = std::vector<std::int32_t>;
+  EXPECT_EQ(hdf5::values<std::int32_t>(hit, "pairs"), (Ids{1, 2}));
+  EXPECT_EQ(hdf5::values<std::int32_t>(hit, "chain"), (Ids{1, 2, 5}));
+  EXPECT_EQ(hdf5::values<std::int32_t>(hit, "spheres/sphere"), (Ids{1, 2, 5, 8}));
+  EXPECT_EQ(hdf5::values<std::int32_t>(hit, "spheres/cluster"), (Ids{0, 0, 0, 1}));
+  EXPECT_EQ(hdf5::shape(hit, "spheres/position"), (std::vector<std::int64_t>{4, 2}));
+  EXPECT_EQ(hdf5::values<std::int32_t>(hit, "contacts/cluster"), (Ids{0, 0, 1}));
+  EXPECT_EQ(hdf5::values<std::int64_t>(hit, "contacts/collisions"),
+            (std::vector<std::int64_t>{4, 3, 6}));
+  EXPECT_EQ(hdf5::values<double>(hit, "collisions/normal_speed"), (std::vector<double>{1, 0.4}));
+}
+
+TEST(AnatomyGroup, IsAbsentWhereNothingCollapsed) {
+  const TemporaryFolder folder;
+  const hdf5::Handle file = hdf5::created_file(folder.path / "a.h5");
+  write_anatomy(file, {}, 2);
+  EXPECT_FALSE(hdf5::contains(file, "anatomy"));
+}
+
+}  // namespace
+}  // namespace zenosphere
