@@ -47,10 +47,10 @@ class ContactDuration : public testing::Test {
 };
 
 TEST_F(ContactDuration, MakesACollisionElasticIfEitherPartnerHasJustCollided) {
-  EXPECT_DOUBLE_EQ(meet(0, 1, 0.25), 0.2);
-  EXPECT_DOUBLE_EQ(meet(1, 2, 0.3), 1);  // 1 met at 0.25
+  EXPECT_DOUBLE_EQ(meet(1, 2, 0.25), 0.2);
+  EXPECT_DOUBLE_EQ(meet(0, 2, 0.3), 1);  // 2 met at 0.25, 0 never
   EXPECT_TRUE(made_elastic);
-  EXPECT_DOUBLE_EQ(meet(0, 3, 0.31), 1);  // 0 met at 0.25
+  EXPECT_DOUBLE_EQ(meet(1, 3, 0.31), 1);  // 1 met at 0.25, 3 never
   EXPECT_EQ(physics.counts().made_elastic, 2);
   EXPECT_EQ(physics.counts().collisions, 3);
   EXPECT_DOUBLE_EQ(physics.counts().mean_restitution, 2.2 / 3);
