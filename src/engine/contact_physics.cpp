@@ -12,8 +12,8 @@ namespace {
 /// Any odd constant makes a stream apart from the others of a seed; this one is splitmix64's.
 constexpr std::uint64_t kOtherStream = 0xbf58476d1ce4e5b9;
 
-/// So long ago that it is before every contact duration.
-constexpr std::int64_t kNever = -(std::int64_t{1} << 60);
+/// So long ago that it is before every contact duration; in the case's time unit.
+constexpr double kNever = -1e300;
 
 /// At least every other rotation leaves a pair that recedes: this many in vain are a case in 1e19.
 constexpr int kMostTrials = 64;
@@ -46,7 +46,7 @@ ContactPhysics<Dim, Real>::ContactPhysics(const ContactModels<Real>& models,
   assert(models.is_any());
   assert(Dim > 1 || models.rotation_angle == 0);
   if (models.contact_duration > 0) {
-    last_contact_.assign(static_cast<std::size_t>(spheres), Instant<Real>{kNever, 0});
+    last_contact_.assign(static_cast<std::size_t>(spheres), Instant<Real>{0, Real(kNever)});
   }
 }
 

@@ -77,6 +77,8 @@ constexpr double longest_window = 1e8;
 constexpr double most_collisions = 1e15;
 // A coordinate at the far end is still good to a millionth of a diameter.
 constexpr double longest_side = 1e9;
+// Beyond every run, and far below the time at which a sphere that never met has met.
+constexpr double longest_contact = 1e100;
 // A right angle: a pair may still recede then, whatever its velocity.
 constexpr double widest_rotation = 1.57;
 
@@ -148,7 +150,8 @@ constexpr std::array key_table{
         [](Case& c) -> Slot { return &c.collision.viscoelastic_constant; }, above(0),
         &only_viscoelastic, "A in e = 1 - C1 A v^(1/5) + ... [(time/diameter)^(1/5)]"},
     Key{"collision", "contact_duration", optional,
-        [](Case& c) -> Slot { return &c.collision.contact_duration; }, at_least(0), nullptr,
+        [](Case& c) -> Slot { return &c.collision.contact_duration; },
+        from_to(0, longest_contact, "0 is off"), nullptr,
         "a sphere that collides again within it does so elastically; 0 is off [time]"},
     Key{"collision", "rotation_angle", optional,
         [](Case& c) -> Slot { return &c.collision.rotation_angle; },

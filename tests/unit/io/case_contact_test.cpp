@@ -36,7 +36,7 @@ TEST(CaseContact, WordsAndNumbersAreChecked) {
   EXPECT_EQ(objection(cooling_case, "collision.restitution_law=viscous"),
             "collision.restitution_law = \"viscous\" (must be \"constant\" or \"viscoelastic\")");
   EXPECT_EQ(objection(cooling_case, "collision.contact_duration=-1"),
-            "collision.contact_duration = -1 (must be >= 0)");
+            "collision.contact_duration = -1 (must be in [0, 1e+100]; 0 is off)");
   EXPECT_EQ(objection(cooling_case, "collision.rotation_angle=2"),
             "collision.rotation_angle = 2 (must be in [0, 1.57]; 0 is off)");
 }
