@@ -12,6 +12,7 @@
 
 #include "io/case_box.hpp"
 #include "io/start_file.hpp"
+#include "model/contact_models.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
@@ -99,6 +100,15 @@ void add_kicks(const Case& values, Lines& lines) {
   lines.add("kicks until run.time", std::floor(*values.run.time / values.drive.kick_interval));
 }
 
+void add_contact(const Case& values, Lines& lines) {
+  const auto& collision = values.collision;
+  if (collision.restitution_law != RestitutionLaw::viscoelastic) return;
+  const ViscoelasticRestitution<double> restitution(collision.viscoelastic_constant);
+  for (const double speed : {1.0, 0.01}) {
+    lines.add(fmt::format("restitution at the speed {:g}", speed), restitution(speed));
+  }
+}
+
 void add_run(const Case& values, Lines& lines) {
   if (!values.run.collisions) return;
   const auto collisions = static_cast<double>(*values.run.collisions);
@@ -137,6 +147,7 @@ std::string text_in(const Case& values) {
   add_start(values, box.sides()[0], lines);
   if constexpr (Dim > 1) add_shear(values, box.sides()[1], lines);
   add_kicks(values, lines);
+  add_contact(values, lines);
   add_run(values, lines);
   add_output(values, lines);
   return lines.text();

@@ -90,6 +90,14 @@ TEST(DerivedText, ChecksWhatACaseGives) {
   EXPECT_THROW(derived_text(overridden(replaced(pair, "[3,", "[1.5,"), moving)), InputError);
 }
 
+TEST(DerivedText, TellsTheRestitutionOfViscoelasticSpheres) {
+  EXPECT_EQ(line_of(overridden(cooling_case, {}), "restitution at the speed 1"), "");
+  const Case values = overridden(cooling_case, {"collision.restitution_law=viscoelastic",
+                                                "collision.viscoelastic_constant=0.5"});
+  // The quotient at x = sqrt(0.5): 1.354321 / (1.354321 + 0.576724 + 0.204346 + 0.133044).
+  EXPECT_EQ(line_of(values, "restitution at the speed 1").substr(0, 6), "0.5970");
+}
+
 TEST(DerivedText, TellsStrainOnlyUnderShear) {
   const Case sheared = overridden(shear_case, {"drive.shear_rate=4", "run.time=10"});
   EXPECT_EQ(line_of(sheared, "time of one strain unit"), "0.25 time");
