@@ -164,6 +164,30 @@ TEST(ContactModelsUnderShear, CloseTheEnergyLedgerEachAndTogether) {
   }
 }
 
+// The same random angles in every precision, and a ledger that closes to its rounding.
+TEST(ContactModelsUnderShear, FollowTheSameTrajectoryInEveryPrecisionAndDimension) {
+  for (const bool is_plane : {false, true}) {
+    Changes changes{"system.spheres=32", "run.collisions=64"};
+    for (const Changes& more : {kTc, kViscoelastic, kRotation}) {
+      changes.insert(changes.end(), more.begin(), more.end());
+    }
+    if (is_plane) {
+      changes.insert(changes.end(), {"system.dimension=2", "start.arrangement=random"});
+    }
+    const double time = test::run_text(kSheared, changes).time;
+    for (const auto& [precision, rounding] :
+         {std::pair("extended", 1e-17), std::pair("quad", 1e-31), std::pair("digits100", 1e-96)}) {
+      Changes precise = changes;
+      precise.push_back(std::string("collision.precision=") + precision);
+      const Summary run = test::run_text(kSheared, precise);
+      // Four collisions a sphere amplify the rounding of a double by some thousands.
+      EXPECT_NEAR(run.time, time, 1e-11 * time) << precision;
+      EXPECT_EQ(run.contact.rotated, 64) << precision;
+      EXPECT_LT(run.ledger_error, rounding) << precision;
+    }
+  }
+}
+
 TEST(ContactModelsUnderShear, KeepTheDissipationEqualToTheWorkInASteadyState) {
   for (const Changes& model : {kTc, kViscoelastic, kRotation}) {
     Changes changes = model;
