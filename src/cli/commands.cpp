@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,9 +17,11 @@
 #include "io/case_file.hpp"
 #include "io/derived.hpp"
 #include "io/info.hpp"
+#include "io/keep_adjudication.hpp"
 #include "io/output_reader.hpp"
 #include "io/recovery.hpp"
 #include "model/errors.hpp"
+#include "run/adjudicate.hpp"
 #include "run/resume.hpp"
 #include "run/run.hpp"
 
@@ -35,6 +38,8 @@ struct Arguments {
   bool quiet = false;
   bool overwrite = false;
   bool fail_on_collapse = false;
+  Precision up_to = Precision::digits100;
+  std::int64_t collisions = 20000;
 };
 
 void print(const std::string& text) {
@@ -127,6 +132,25 @@ int info(const Arguments& arguments) {
   return exit_code::done;
 }
 
+int adjudicate(const Arguments& arguments) {
+  const bool is_output = is_hdf5_file(arguments.file);
+  const Case values = is_output ? parse_case(read_output_info(arguments.file).resolved_case,
+                                             arguments.file, arguments.overrides)
+                                : read_case(arguments.file, arguments.overrides);
+  AdjudicationLimits limits{.highest = arguments.up_to,
+                            .collisions = arguments.collisions,
+                            .interrupt = &catch_signals()};
+  if (!arguments.quiet && is_terminal()) {
+    limits.on_trial = [](const std::string& name) { fmt::print(stderr, "\r{:<78}", name); };
+  }
+  const Adjudication result = adjudicate(values, limits);
+  if (limits.on_trial) fmt::print(stderr, "\r{:<78}\r", "");
+  if (is_output) keep_adjudication(arguments.file, to_json(result));
+  if (!arguments.quiet) print(to_text(result));
+  if (arguments.json) print(to_json(result) + '\n');
+  return exit_code::done;
+}
+
 void add_overrides(CLI::App& command, Arguments& arguments) {
   command.add_option("--set", arguments.overrides, "override a key, as in system.restitution=0.2")
       ->type_name("KEY=VALUE")
@@ -176,6 +200,28 @@ void add_info(CLI::App& app, Arguments& arguments) {
   command.add_flag("--json", arguments.json, "print it as one JSON object");
 }
 
+void add_adjudicate(CLI::App& app, Arguments& arguments) {
+  CLI::App& command = *app.add_subcommand(
+      "adjudicate", "physics or rounding: replay a collapse with more digits and other rules");
+  command.add_option("file", arguments.file, "output file of a run, or a case file")
+      ->required()
+      ->type_name("OUT.h5|CASE.toml");
+  const std::map<std::string, Precision> ladder{{"double", Precision::double_precision},
+                                                {"extended", Precision::extended},
+                                                {"quad", Precision::quad},
+                                                {"digits100", Precision::digits100}};
+  command.add_option("--up-to", arguments.up_to, "highest precision to try")
+      ->transform(CLI::CheckedTransformer(ladder))
+      ->type_name("PRECISION")
+      ->default_str("digits100");
+  command.add_option("--collisions", arguments.collisions, "of each trial after the first hit")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52))
+      ->capture_default_str();
+  add_overrides(command, arguments);
+  command.add_flag("--json", arguments.json, "print the result as one JSON object");
+  command.add_flag("--quiet", arguments.quiet, "no progress, no table for people");
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -190,6 +236,7 @@ int run_command_line(int argc, char** argv) {
   add_resume(app, arguments);
   add_check(app, arguments);
   add_info(app, arguments);
+  add_adjudicate(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -204,6 +251,7 @@ int run_command_line(int argc, char** argv) {
   }
   if (app.got_subcommand("run")) return run(arguments);
   if (app.got_subcommand("resume")) return resume(arguments);
+  if (app.got_subcommand("adjudicate")) return adjudicate(arguments);
   if (app.got_subcommand("check")) return check(arguments);
   return info(arguments);
 }

@@ -30,18 +30,22 @@ class CollapseTime {
     const bool is_alike = flight_ > shortest && ratio > 0 && ratio < 1 && change <= ratio / 1000;
     alike_ = is_alike ? alike_ + 1 : 0;
     if (alike_ < kAlike) return;
-    time_ = since_start(collision.time, clock_unit_) +
-            static_cast<double>(flight_ * ratio / (1 - ratio));
-    shrinking_ = static_cast<double>(ratio);
+    // At the end of a series rounding eats into the flights: what they told before was better.
+    const Real error = flight_ * (change + std::numeric_limits<Real>::epsilon());
+    if (alike_ > kAlike && error > error_) return;
+    error_ = error;
+    time_ = exactly_since_start(collision.time, clock_unit_) + flight_ * ratio / (1 - ratio);
+    shrinking_ = ratio;
   }
 
-  /// The latest estimate, in the case's time unit, and the ratio of the flights it rests on.
-  std::optional<double> time() const { return time_; }
-  std::optional<double> ratio() const { return shrinking_; }
+  /// The best estimate of the latest series, in the case's time unit, and the ratio of the flights
+  /// it rests on.
+  const std::optional<Real>& time() const { return time_; }
+  const std::optional<Real>& ratio() const { return shrinking_; }
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.flight_, self.ratio_, self.alike_, self.time_, self.shrinking_);
+    archive(self.flight_, self.ratio_, self.alike_, self.error_, self.time_, self.shrinking_);
   }
 
  private:
@@ -51,8 +55,9 @@ class CollapseTime {
   Real flight_ = 0;
   Real ratio_ = 0;
   int alike_ = 0;
-  std::optional<double> time_;
-  std::optional<double> shrinking_;
+  Real error_ = 0;  ///< of the estimate, by how much the ratios differ
+  std::optional<Real> time_;
+  std::optional<Real> shrinking_;
 };
 
 }  // namespace zenosphere

@@ -72,10 +72,12 @@ class RecentCollisions {
   /// \throws ArchiveError for traces that cannot have been kept
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.traces_, self.first_, self.end_, self.length_, self.start_);
-    const bool is_possible = self.traces_.size() == 2 * kKept && self.first_ <= self.end_ &&
-                             self.end_ - self.first_ == std::min(self.length_, kKept);
+    archive(self.first_, self.end_, self.length_, self.start_);
+    const bool is_possible =
+        self.first_ <= self.end_ && self.end_ - self.first_ == std::min(self.length_, kKept);
     require_archived(is_possible, "collisions that cannot have been kept");
+    // Slots are used from the first one on.
+    for (std::size_t n = 0; n < std::min(self.end_, 2 * kKept); ++n) archive(self.traces_[n]);
   }
 
  private:

@@ -25,7 +25,7 @@ class SeparationCriterion {
   void observe(const Collision<Dim, Real>& collision) {
     if (collision.number > 1) observe_next(collision.gap_before);
     collision_ = collision.number;
-    time_ = since_start(collision.time, clock_unit_);
+    time_ = exactly_since_start(collision.time, clock_unit_);
   }
 
   /// The gap, at the collision observed last, of the pair that collides next.
@@ -42,7 +42,7 @@ class SeparationCriterion {
 
   std::int64_t hits() const { return hits_; }
   std::optional<std::int64_t> first_collision() const { return first_collision_; }
-  std::optional<double> first_time() const { return first_time_; }
+  const std::optional<Real>& first_time() const { return first_time_; }
   std::optional<std::int64_t> last_collision() const { return last_collision_; }
 
   template <class Self, class Archive>
@@ -55,10 +55,10 @@ class SeparationCriterion {
   Real threshold_;
   Real clock_unit_;
   std::int64_t collision_ = 0;  ///< the one observed last
-  double time_ = 0;             ///< its time
+  Real time_ = 0;               ///< its time
   std::int64_t hits_ = 0;
   std::optional<std::int64_t> first_collision_;
-  std::optional<double> first_time_;
+  std::optional<Real> first_time_;
   std::optional<std::int64_t> last_collision_;
 };
 

@@ -87,6 +87,11 @@ class Simulation {
   /// \param changes  one for each sphere, diameters/time
   void kick(const std::vector<Vector>& changes);
 
+  /// Predicts all events anew from where the spheres are: in a state promoted to more digits.
+  void predict_anew() {
+    for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
+  }
+
   /// A pair that would collide next, and its gap now, in diameters.
   struct NextPair {
     std::int32_t i;

@@ -203,7 +203,7 @@ void OutputDatasets::rewind_to(std::int64_t log_rows, std::int64_t snapshots) {
   contents_->trajectory.truncate(snapshots);
   contents_->log.mark(false);
   hdf5::write_attribute(contents_->own, "complete", std::uint8_t{0});
-  for (const char* end : {"summary", "anatomy"}) hdf5::remove(contents_->own, end);
+  for (const char* end : {"summary", "anatomy", "adjudication"}) hdf5::remove(contents_->own, end);
 }
 
 void OutputDatasets::set_resolved_case(const std::string& text) {

@@ -183,6 +183,11 @@ class ArchiveReader {
 
   std::size_t left() const { return rest_.size(); }
 
+  /// From now on a number of more than double precision is read as it was written in a type of so
+  /// many binary digits, 53, 64 or 113, and becomes the same number in the type asked for.
+  void promote_from(int digits) { written_digits_ = digits; }
+  bool is_promoting() const { return written_digits_ != 0; }
+
   /// To be called behind the last value.
   void require_end() const { require_archived(rest_.empty(), "more bytes than its state takes"); }
 
@@ -210,11 +215,19 @@ class ArchiveReader {
     value = byte == 1;
   }
   void read(Extended& value) {
+    if (written_digits_ == kDouble) return promote<double>(value);
     value = 0;  // the bytes of padding too
     raw(&value, archive_detail::extended_bytes);
   }
-  void read(Quad& value) { raw(&value, sizeof value); }
+  void read(Quad& value) {
+    if (written_digits_ == kDouble) return promote<double>(value);
+    if (written_digits_ == kExtended) return promote<Extended>(value);
+    raw(&value, sizeof value);
+  }
   void read(Digits100& value) {
+    if (written_digits_ == kDouble) return promote<double>(value);
+    if (written_digits_ == kExtended) return promote<Extended>(value);
+    if (written_digits_ == kQuad) return promote<Quad>(value);
     archive_detail::Parts parts;
     const auto kind = next<std::uint8_t>();
     (*this)(parts.negative, parts.exponent, parts.words);
@@ -255,7 +268,19 @@ class ArchiveReader {
   requires std::is_class_v<T>
   void read(T& value) { T::archive_state(value, *this); }
 
+  static constexpr int kDouble = 53;
+  static constexpr int kExtended = 64;
+  static constexpr int kQuad = 113;
+
+  template <class Written, class Real>
+  void promote(Real& value) {
+    const int digits = std::exchange(written_digits_, 0);
+    value = Real(next<Written>());
+    written_digits_ = digits;
+  }
+
   std::span<const std::uint8_t> rest_;
+  int written_digits_ = 0;  ///< 0: those of the type asked for
 };
 
 }  // namespace zenosphere

@@ -38,10 +38,14 @@ Real elapsed(const Instant<Real>& earlier, const Instant<Real>& later, const Rea
          (later.remainder - earlier.remainder);
 }
 
-/// The instant as one number since the start, in the case's time unit.
+/// The instant as one number since the start, in the case's time unit and all digits of Real.
+template <class Real>
+Real exactly_since_start(const Instant<Real>& instant, const Real& unit) {
+  return static_cast<Real>(instant.units) * unit + instant.remainder;
+}
 template <class Real>
 double since_start(const Instant<Real>& instant, const Real& unit) {
-  return static_cast<double>(static_cast<Real>(instant.units) * unit + instant.remainder);
+  return static_cast<double>(exactly_since_start(instant, unit));
 }
 
 /// The instant at a time since the start; times beyond the reach of the counter become its end.

@@ -3,7 +3,10 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/float128.hpp>
 #include <charconv>
+#include <cstdio>
+#include <limits>
 #include <string>
+#include <type_traits>
 
 namespace zenosphere {
 
@@ -30,6 +33,19 @@ Real from_decimal(double value) {
     } else {
       return Real(decimal);
     }
+  }
+}
+
+/// A number as decimal text with all the digits that Real tells apart.
+template <class Real>
+std::string to_decimal(const Real& value) {
+  constexpr int digits = std::numeric_limits<Real>::max_digits10;
+  if constexpr (std::is_floating_point_v<Real>) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*Lg", digits, static_cast<Extended>(value));
+    return text;
+  } else {
+    return value.str(digits);
   }
 }
 

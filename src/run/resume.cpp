@@ -7,14 +7,19 @@
 #include <optional>
 
 #include "io/case_file.hpp"
+#include "io/case_words.hpp"
 #include "io/summary.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
 namespace {
 
-constexpr std::array changeable{"run.collisions", "run.time", "collapse.stop_when_collapsed",
-                                "output.checkpoint_seconds", "output.checkpoint_collisions"};
+constexpr std::array changeable{"run.collisions",
+                                "run.time",
+                                "collision.precision",
+                                "collapse.stop_when_collapsed",
+                                "output.checkpoint_seconds",
+                                "output.checkpoint_collisions"};
 
 void require_changeable(const std::string& override) {
   std::string key = override.substr(0, override.find('='));
@@ -22,7 +27,8 @@ void require_changeable(const std::string& override) {
   if (std::find(changeable.begin(), changeable.end(), key) != changeable.end()) return;
   throw InputError(fmt::format(
       "--set {}: cannot be changed in a run that has begun (only run.collisions, run.time, "
-      "collapse.stop_when_collapsed and output.checkpoint_* can); begin a new run",
+      "collision.precision, collapse.stop_when_collapsed and output.checkpoint_* can); begin a new "
+      "run",
       override));
 }
 
@@ -72,12 +78,28 @@ std::optional<std::string> reason_to_refuse(const Case& values, const Summary& r
   return std::nullopt;
 }
 
+/// Gives a run that goes on in more digits the threshold of its new precision.
+void promote(const Case& before, const std::string& file, Case& values) {
+  const Precision precision = values.collision.precision;
+  if (precision < before.collision.precision) {
+    throw InputError(fmt::format(
+        "{}: is in {} (collision.precision = {} has fewer digits, which cannot be taken away); run "
+        "the case again",
+        file, word(before.collision.precision), word(precision)));
+  }
+  if (values.collapse.gap_threshold == default_gap_threshold(before.collision.precision)) {
+    values.collapse.gap_threshold = default_gap_threshold(precision);
+  }
+}
+
 }  // namespace
 
 Case case_to_resume(const RecoveredOutput& output, std::span<const std::string> overrides) {
   for (const std::string& override : overrides) require_changeable(override);
   Case values = parse_case(output.info.resolved_case, output.path.string(), overrides);
   values.text = output.info.case_text;
+  promote(parse_case(output.info.resolved_case, output.path.string(), {}), output.path.string(),
+          values);
   // A run that was cut off at its very end has its end still to write.
   const bool has_ended = output.info.complete && output.journal.size() == 0;
   const Summary reached =

@@ -255,11 +255,19 @@ class Run {
     summary.verdict = word(verdict(summary.collisions, separation_.last_collision(),
                                    arrest_.is_met(), arrest_.window()));
     summary.separation = {separation_.hits(), separation_.first_collision(),
-                          separation_.first_time(), separation_.last_collision()};
-    summary.arrest = {
-        arrest_.is_met(),      arrest_.collision(),   arrest_.time(), arrest_.window(), {},
-        collapse_time_.time(), collapse_time_.ratio()};
+                          in_double(separation_.first_time()), separation_.last_collision()};
+    summary.arrest = {arrest_.is_met(),
+                      arrest_.collision(),
+                      arrest_.time(),
+                      arrest_.window(),
+                      {},
+                      in_double(collapse_time_.time()),
+                      in_double(collapse_time_.ratio())};
     for (const auto& [i, j] : arrest_.pairs()) summary.arrest.pairs.emplace_back(i, j);
+  }
+
+  static std::optional<double> in_double(const std::optional<Real>& number) {
+    return number ? std::optional<double>(static_cast<double>(*number)) : std::nullopt;
   }
 
   Case values_;

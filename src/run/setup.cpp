@@ -115,8 +115,17 @@ Simulation<Dim, Real> new_simulation(const Case& values) {
 
 template <int Dim, class Real>
 Simulation<Dim, Real> archived_simulation(const Case& values, ArchiveReader& archive) {
-  return {box_of<Dim, Real>(values), contact_rules_of<Real>(values),
-          surroundings_of<Dim, Real>(values), archive};
+  Simulation<Dim, Real> simulation(box_of<Dim, Real>(values), contact_rules_of<Real>(values),
+                                   surroundings_of<Dim, Real>(values), archive);
+  if (archive.is_promoting()) simulation.predict_anew();
+  return simulation;
+}
+
+std::optional<double> constant_restitution(const Case& values) {
+  const auto& collision = values.collision;
+  const bool is_constant = collision.restitution_law == RestitutionLaw::constant;
+  if (!is_constant || collision.contact_duration > 0) return std::nullopt;
+  return values.system.restitution;
 }
 
 OutputHeader output_header(const Case& values) {

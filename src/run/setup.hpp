@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/simulation.hpp"
 #include "io/case.hpp"
 #include "io/output_datasets.hpp"
@@ -35,6 +37,9 @@ Simulation<Dim, Real> new_simulation(const Case& values);
 /// Throws ArchiveError where that state cannot be.
 template <int Dim, class Real>
 Simulation<Dim, Real> archived_simulation(const Case& values, ArchiveReader& archive);
+
+/// The restitution of spheres, if it is the same in every collision.
+std::optional<double> constant_restitution(const Case& values);
 
 /// What the output of a case says about it.
 OutputHeader output_header(const Case& values);

@@ -21,7 +21,7 @@ void write_state_head(ArchiveWriter& archive) {
   archive(checkpoint_version, std::int32_t{Dim}, std::int32_t{std::numeric_limits<Real>::digits});
 }
 
-/// Reads the beginning of a state.
+/// Reads the beginning of a state. A state in fewer digits than Real has is promoted.
 ///
 /// Throws InputError for a version that this program does not read, ArchiveError for a state that
 /// does not belong to the case.
@@ -37,8 +37,9 @@ void require_known_state(const Case& values, const RecoveredOutput& output, Arch
   }
   const auto dimension = state.next<std::int32_t>();
   const auto digits = state.next<std::int32_t>();
-  require_archived(dimension == Dim && digits == std::numeric_limits<Real>::digits,
+  require_archived(dimension == Dim && digits <= std::numeric_limits<Real>::digits,
                    "the state of another kind of run");
+  if (digits < std::numeric_limits<Real>::digits) state.promote_from(digits);
   // A sphere takes more than 32 bytes: one that the case only claims gets no memory.
   require_archived(state.left() / 32 >= static_cast<std::size_t>(values.system.spheres),
                    "the state of another number of spheres");

@@ -14,11 +14,12 @@ def commands_in(help_text):
 
 def test_help_lists_the_commands_that_exist_and_no_other(program):
     done = program("--help")
-    assert set(commands_in(done.stdout)) == {"run", "resume", "check", "info"}
+    assert set(commands_in(done.stdout)) == {
+        "run", "resume", "check", "info", "adjudicate"}
     assert done.stderr == ""
 
 
-@pytest.mark.parametrize("command", ["run", "resume", "check", "info"])
+@pytest.mark.parametrize("command", ["run", "resume", "check", "info", "adjudicate"])
 def test_every_command_has_help(program, command):
     assert f"zenosphere {command}" in program(command, "--help").stdout
 

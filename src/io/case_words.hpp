@@ -1,0 +1,11 @@
+#pragma once
+
+#include "io/case.hpp"
+
+namespace zenosphere {
+
+/// The words for values of a case, as case files have them.
+const char* word(Precision precision);
+const char* word(OverlapRule rule);
+
+}  // namespace zenosphere
