@@ -4,12 +4,13 @@
 #include <exception>
 
 #include "cli/commands.hpp"
+#include "io/printable.hpp"
 #include "model/errors.hpp"
 
 namespace {
 
 int fail(const std::exception& error, int exit_code) {
-  fmt::print(stderr, "{}\n", error.what());
+  fmt::print(stderr, "{}\n", zenosphere::printable(error.what()));
   return exit_code;
 }
 

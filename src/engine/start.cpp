@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -14,25 +13,6 @@
 namespace zenosphere {
 
 namespace {
-
-/// Volume of a unit-diameter sphere in `Dim` dimensions.
-template <int Dim>
-constexpr double sphere_volume() {
-  static_assert(Dim >= 1 && Dim <= 3);
-  return Dim == 1 ? 1.0 : std::numbers::pi / (Dim == 2 ? 4 : 6);
-}
-
-/// Cube root by Newton's method: the C library's may differ between machines in the last bit.
-double cube_root(double value) {
-  int exponent = 0;
-  std::frexp(value, &exponent);
-  double root = std::ldexp(1.0, exponent / 3 + 1);  // above the root, below four times it
-  for (;;) {
-    const double next = root - (root * root * root - value) / (3 * root * root);
-    if (!(next < root)) return root;  // falls monotonically from above until rounding
-    root = next;
-  }
-}
 
 std::vector<Vec<3, double>> fcc_lattice(std::int32_t spheres, double side) {
   constexpr double kBasis[4][3] = {{0, 0, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}};
@@ -87,13 +67,6 @@ std::vector<Vec<Dim, double>> random_places(std::int32_t spheres, const ShearBox
 }  // namespace
 
 template <int Dim>
-double box_side(std::int64_t spheres, double solids_volume_fraction) {
-  const double volume =
-      static_cast<double>(spheres) * sphere_volume<Dim>() / solids_volume_fraction;
-  return Dim == 1 ? volume : Dim == 2 ? std::sqrt(volume) : cube_root(volume);
-}
-
-template <int Dim>
 std::vector<Vec<Dim, double>> thermal_velocities(std::int32_t spheres, double temperature,
                                                  Random& random) {
   std::vector<Vec<Dim, double>> velocities(static_cast<std::size_t>(spheres));
@@ -127,7 +100,6 @@ Configuration<Dim, double> make_start(const StartRequest& request,
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim)                                                              \
-  template double box_side<Dim>(std::int64_t, double);                                           \
   template std::vector<Vec<Dim, double>> thermal_velocities<Dim>(std::int32_t, double, Random&); \
   template Configuration<Dim, double> make_start<Dim>(const StartRequest&,                       \
                                                       const ShearBox<Dim, double>&);

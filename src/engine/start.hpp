@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/arrangement.hpp"
+#include "engine/box_side.hpp"
 #include "engine/configuration.hpp"
 #include "model/random.hpp"
 #include "model/shear_box.hpp"
@@ -17,13 +18,6 @@ struct StartRequest {
   double granular_temperature = 0;  ///< (diameter/time)^2
   std::uint64_t seed = 1;
 };
-
-/// Side of the cube in which `spheres` unit spheres fill a fraction of the volume, diameters; in
-/// two dimensions discs and a square, in one rods and a line.
-///
-/// Made of IEEE operations only, so that it is the same on every machine.
-template <int Dim>
-double box_side(std::int64_t spheres, double solids_volume_fraction);
 
 /// Gaussian velocities with exactly zero mean and exactly the wanted granular temperature, up to
 /// rounding. A single sphere keeps its velocity's direction, and a mean.

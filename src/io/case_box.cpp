@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "engine/start.hpp"
+#include "engine/box_side.hpp"
 
 namespace zenosphere {
 namespace {

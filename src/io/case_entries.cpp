@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "io/case_limits.hpp"
+
 namespace zenosphere::case_format {
 namespace {
 
@@ -20,21 +22,6 @@ std::string shortened(std::string_view text) {
   std::size_t end = longest_shown;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // whole UTF-8
   return std::string(text.substr(0, end)) + "...";
-}
-
-/// Longest line of a case file [bytes]. toml++ frees nested tables by recursion, so that a dotted
-/// key of some hundred thousand parts would exhaust the stack.
-constexpr std::size_t longest_line = 10'000;
-
-/// Number of the first line that is too long, from 1, or nothing.
-std::optional<std::int64_t> line_too_long(std::string_view text) {
-  std::int64_t number = 1;
-  for (std::size_t begin = 0; begin < text.size(); ++number) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (end - begin > longest_line) return number;
-    begin = end + 1;
-  }
-  return std::nullopt;
 }
 
 bool is_bare(std::string_view part) {
@@ -102,9 +89,17 @@ Place place_of(const toml::source_region& region, const std::string& name) {
   return Place::in_file(name, region.begin.line, region.begin.column);
 }
 
+/// Throws where a file has so many keys that it is none of a case: each would be a problem.
+void require_few(std::size_t keys, const std::string& name) {
+  if (keys < most_keys) return;
+  throw InputError(fmt::format("{}: more than {} keys and tables; check that it is the case file",
+                               name, most_keys));
+}
+
 void append_table(const toml::table& table, const std::string& table_name, const std::string& name,
                   std::vector<Entry>& entries) {
   for (auto&& [key, node] : table) {
+    require_few(entries.size(), name);
     entries.push_back({table_name, std::string(key.str()), value_of(node),
                        place_of(key.source(), name), place_of(node.source(), name)});
   }
@@ -118,7 +113,7 @@ std::string lower_case_start(std::string_view text) {
 
 /// The TOML value that `text` is as a whole, or nothing.
 std::optional<Value> toml_value(const std::string& text) {
-  if (line_too_long(text)) return std::nullopt;
+  if (excess_in(text)) return std::nullopt;
   try {
     const toml::table parsed = toml::parse("value = " + text, std::string_view{});
     if (parsed.size() != 1) return std::nullopt;  // `text` held lines of its own
@@ -135,14 +130,15 @@ std::string Entry::key() const {
 }
 
 std::vector<Entry> entries_of(std::string_view text, const std::string& name) {
-  if (const auto number = line_too_long(text)) {
-    throw InputError(fmt::format("{}: line of more than {} bytes; break it",
-                                 Place::in_file(name, *number, 1).text, longest_line));
+  if (const auto excess = excess_in(text)) {
+    throw InputError(
+        fmt::format("{}: {}", Place::in_file(name, excess->line, 1).text, excess->what));
   }
   std::vector<Entry> entries;
   try {
     const toml::table root = toml::parse(text, std::string_view{});
     for (auto&& [key, node] : root) {
+      require_few(entries.size(), name);
       const Value value = node.is_table() ? Value(TableHead{}) : value_of(node);
       entries.push_back({"", std::string(key.str()), value, place_of(key.source(), name),
                          place_of(node.source(), name)});
@@ -158,6 +154,10 @@ std::vector<Entry> entries_of(std::string_view text, const std::string& name) {
 }
 
 std::vector<Entry> entries_of(std::span<const std::string> overrides, Problems& problems) {
+  if (overrides.size() > most_keys) {
+    throw InputError(fmt::format("--set: {} overrides (must be at most {}); write a case file",
+                                 overrides.size(), most_keys));
+  }
   std::vector<Entry> entries;
   for (std::size_t n = 0; n < overrides.size(); ++n) {
     const std::string& text = overrides[n];

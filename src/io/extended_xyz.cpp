@@ -20,8 +20,9 @@
 namespace zenosphere {
 namespace {
 
-constexpr std::size_t longest_line = 1'048'576;     ///< bytes: ten thousand columns with all digits
-constexpr std::int64_t most_spheres = 100'000'000;  // as in a case
+constexpr std::size_t longest_line = 1'048'576;  ///< bytes: ten thousand columns with all digits
+constexpr std::uintmax_t most_bytes = 68'719'476'736;  ///< 10^8 spheres with all digits take 14e9
+constexpr std::int64_t most_spheres = 100'000'000;     // as in a case
 constexpr std::size_t most_columns = 10'000;
 constexpr double touching = 1e-12;  ///< diameters: what rounding leaves of a zero
 
@@ -34,15 +35,20 @@ class Lines {
   };
 
   explicit Lines(const std::filesystem::path& path) : name_(path.string()) {
+    namespace fs = std::filesystem;
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-      throw InputError(name_ + ": is a directory; name the file in it");
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::is_directory(status)) reject_file("is a directory; name the file in it");
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+      reject_file("is not a regular file (it is read twice); copy it to one");
+    }
+    if (fs::is_regular_file(status) && fs::file_size(path, ignored) > most_bytes) {
+      reject_file("is larger than 64 GiB; keep the last frame only");
     }
     stream_.open(path, std::ios::binary);
-    if (!stream_) {
-      throw InputError(fmt::format("{}: cannot be opened ({}); check the name and its permissions",
-                                   name_, std::strerror(errno)));
-    }
+    if (stream_) return;
+    reject_file(fmt::format("cannot be opened ({}); check the name and its permissions",
+                            std::strerror(errno)));
   }
 
   /// The next line without its end, or null after the last one.

@@ -23,10 +23,19 @@ herr_t collect_reason(unsigned, const H5E_error2_t* entry, void* result) {
   return 0;
 }
 
-/// Switches off HDF5's own printing of errors, which a thread-safe HDF5 keeps for each thread, and
-/// its work at exit, which crashes where a file could not be closed (HDF5 1.10.8).
+/// Switches off HDF5's work at exit, which crashes where a file could not be closed (HDF5 1.10.8),
+/// and what a file could use to reach beyond itself: filters loaded as plug-ins, links to other
+/// files.
+bool restricted() {
+  H5dont_atexit();
+  H5PLset_loading_state(0);
+  return H5Lunregister(H5L_TYPE_EXTERNAL) >= 0;
+}
+
+/// Makes HDF5 harmless, and switches off its own printing of errors, which a thread-safe HDF5 keeps
+/// for each thread.
 void silence() {
-  [[maybe_unused]] static const herr_t once = H5dont_atexit();
+  [[maybe_unused]] static const bool once = restricted();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -82,6 +91,23 @@ void require_text(const Handle& type, const std::string& name) {
   if (checked(H5Tis_variable_str(type.id())) == 0) throw Error(name + " is not a string");
 }
 
+/// More values would be written beyond the variable that takes one.
+void require_one_value(const Handle& space, const std::string& name) {
+  if (checked(H5Sget_simple_extent_npoints(space.id())) != 1) {
+    throw Error(name + " is not a single value");
+  }
+}
+
+/// Refuses a dataset whose values are in other files: raw ones, or datasets that it stitches.
+void require_own_values(const Handle& object, const std::string& path) {
+  if (H5Iget_type(object.id()) != H5I_DATASET) return;
+  const Handle creation = owned(H5Dget_create_plist(object.id()));
+  const bool stitched = H5Pget_layout(creation.id()) == H5D_VIRTUAL;
+  if (stitched || H5Pget_external_count(creation.id()) != 0) {
+    throw Error(path + " takes its values from other files");
+  }
+}
+
 }  // namespace
 
 std::string reason_of_failure() {
@@ -128,7 +154,9 @@ Handle created_group(const Handle& parent, const std::string& path) {
 }
 
 Handle opened(const Handle& parent, const std::string& path) {
-  return owned(H5Oopen(parent.id(), path.c_str(), H5P_DEFAULT));
+  Handle object = owned(H5Oopen(parent.id(), path.c_str(), H5P_DEFAULT));
+  require_own_values(object, path);
+  return object;
 }
 
 bool contains(const Handle& parent, const std::string& name) {
@@ -177,6 +205,7 @@ void write_attribute(const Handle& object, const std::string& name,
 std::string text_attribute(const Handle& object, const std::string& name) {
   const Handle attribute = owned(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT));
   require_text(owned(H5Aget_type(attribute.id())), name);
+  require_one_value(owned(H5Aget_space(attribute.id())), name);
   char* text = nullptr;
   checked(H5Aread(attribute.id(), text_type().id(), &text));
   return adopted(text);
@@ -184,6 +213,7 @@ std::string text_attribute(const Handle& object, const std::string& name) {
 
 std::int64_t number_attribute(const Handle& object, const std::string& name) {
   const Handle attribute = owned(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT));
+  require_one_value(owned(H5Aget_space(attribute.id())), name);
   std::int64_t value = 0;
   checked(H5Aread(attribute.id(), H5T_STD_I64LE, &value));
   return value;
@@ -191,6 +221,7 @@ std::int64_t number_attribute(const Handle& object, const std::string& name) {
 
 double real_attribute(const Handle& object, const std::string& name) {
   const Handle attribute = owned(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT));
+  require_one_value(owned(H5Aget_space(attribute.id())), name);
   double value = 0;
   checked(H5Aread(attribute.id(), H5T_IEEE_F64LE, &value));
   return value;
@@ -211,6 +242,7 @@ void write_text(const Handle& parent, const std::string& name, std::string_view 
 std::string text(const Handle& parent, const std::string& path) {
   const Handle dataset = opened(parent, path);
   require_text(owned(H5Dget_type(dataset.id())), path);
+  require_one_value(owned(H5Dget_space(dataset.id())), path);
   char* text = nullptr;
   checked(H5Dread(dataset.id(), text_type().id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &text));
   return adopted(text);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/printable.hpp"
 #include "io/summary.hpp"
 
 namespace zenosphere {
@@ -14,9 +15,9 @@ using Json = nlohmann::ordered_json;
 
 /// What the run came to: in the end, or until its last checkpoint.
 std::optional<Summary> summary_in(const OutputInfo& info) {
-  if (info.summary) return summary_from_json(*info.summary);
+  if (info.summary) return summary_from_json(*info.summary, info.dimension);
   if (!info.checkpoint || info.checkpoint->summary.empty()) return std::nullopt;
-  return summary_from_json(info.checkpoint->summary);
+  return summary_from_json(info.checkpoint->summary, info.dimension);
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ std::string to_text(const OutputInfo& info, const std::string& name) {
   text += fmt::format("  program                 zenosphere {} ({})\n", info.program_version,
                       info.git_hash);
   text += fmt::format("  compiler                {} {}\n", info.compiler, info.compiler_flags);
-  return text + '\n' + info.resolved_case;
+  return printable(text + '\n' + info.resolved_case);
 }
 
 }  // namespace zenosphere

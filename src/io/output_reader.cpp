@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "io/hdf5_series.hpp"
 #include "io/journal.hpp"
 #include "io/output_datasets.hpp"
+#include "io/rehearsal.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -28,6 +30,7 @@ Handle opened_output(const fs::path& path) {
   const auto status = fs::status(path, ignored);
   if (!fs::exists(status)) reject(path, "does not exist; name an output file of a run");
   if (fs::is_directory(status)) reject(path, "is a folder; name an output file of a run");
+  if (!fs::is_regular_file(status)) reject(path, "is not a regular file; name one of a run");
   Handle file;
   try {
     file = hdf5::opened_file(path);
@@ -53,6 +56,7 @@ void require_known_format(const fs::path& path, const OutputInfo& info) {
 template <class T>
 T last_value(const Handle& file, const std::string& path, std::int64_t length) {
   T value{};
+  if (hdf5::shape(file, path).size() != 1) throw hdf5::Error(path + " is not a column");
   hdf5::read_rows(hdf5::opened(file, path), hdf5::type_of<T>, length - 1, 1, &value);
   return value;
 }
@@ -75,7 +79,8 @@ std::int64_t extent(const Handle& file, const std::string& path, std::size_t axi
 
 void read_extents(const Handle& file, OutputInfo& info) {
   info.spheres = extent(file, "particles/spheres/position/value", 1);
-  info.dimension = static_cast<int>(extent(file, "particles/spheres/position/value", 2));
+  info.dimension = static_cast<int>(
+      std::clamp<std::int64_t>(extent(file, "particles/spheres/position/value", 2), 0, 4));
   info.snapshots = extent(file, "particles/spheres/position/step", 0);
   info.logged_collisions = extent(file, "collisions/k", 0);
   const Handle log = hdf5::opened(file, "collisions");
@@ -139,11 +144,15 @@ std::vector<double> last_row(const Handle& file, const std::string& path,
   return row;
 }
 
-}  // namespace
+/// Throws where the numbers that the file is about cannot be those of a run.
+void require_plausible(const OutputInfo& info) {
+  constexpr std::int64_t most_spheres = 100'000'000;  // as in a case
+  if (info.dimension < 1 || info.dimension > 3) throw hdf5::Error("dimension not in [1, 3]");
+  if (info.spheres < 1 || info.spheres > most_spheres) throw hdf5::Error("too many spheres");
+  if (info.snapshots < 0 || info.logged_collisions < 0) throw hdf5::Error("negative extent");
+}
 
-namespace {
-
-OutputInfo read_hdf5(const fs::path& path) {
+OutputInfo info_of(const fs::path& path) {
   try {
     const Handle file = opened_output(path);
     OutputInfo info;
@@ -153,6 +162,7 @@ OutputInfo read_hdf5(const fs::path& path) {
     require_known_format(path, info);
     read_provenance(own, info);
     read_extents(file, info);
+    require_plausible(info);
     read_end(file, info);
     if (hdf5::contains(own, "checkpoint")) read_checkpoint(own, path, info);
     return info;
@@ -180,27 +190,8 @@ bool add_journal(const fs::path& path, const Basis& basis, OutputInfo& info) {
   }
 }
 
-}  // namespace
-
-OutputInfo read_output_info(const fs::path& path) {
-  constexpr int tries = 3;  // a running run may put a new file in place between two looks
-  for (int attempt = 1;; ++attempt) {
-    const auto before = identity_of(path);
-    OutputInfo info = read_hdf5(path);
-    if (!info.checkpoint) return info;
-    const bool fits = add_journal(path, info.basis, info);
-    if (!fits && attempt < tries && identity_of(path) != before) continue;
-    if (info.complete) return info;
-    info.snapshots = info.checkpoint->snapshots;
-    info.logged_collisions = info.checkpoint->log_rows;
-    info.last_collision = info.checkpoint->collisions;
-    info.last_time = info.checkpoint->time;
-    return info;
-  }
-}
-
-Checkpoint read_checkpoint(const fs::path& path) {
-  OutputInfo info = read_hdf5(path);
+Checkpoint checkpoint_of(const fs::path& path) {
+  OutputInfo info = info_of(path);
   if (!info.checkpoint) {
     reject(path, fmt::format("holds no checkpoint (zenosphere {} wrote none); run the case again",
                              info.program_version));
@@ -219,13 +210,8 @@ Checkpoint read_checkpoint(const fs::path& path) {
   }
 }
 
-bool is_hdf5_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) && hdf5::is_hdf5(path);
-}
-
-LastSnapshot read_last_snapshot(const fs::path& path, int dimension, std::int64_t spheres) {
-  const OutputInfo info = read_hdf5(path);
+LastSnapshot snapshot_of(const fs::path& path, int dimension, std::int64_t spheres) {
+  const OutputInfo info = info_of(path);
   require_shape(path, info, dimension, spheres);
   try {
     const Handle file = opened_output(path);
@@ -238,6 +224,44 @@ LastSnapshot read_last_snapshot(const fs::path& path, int dimension, std::int64_
   } catch (const hdf5::Error& error) {
     reject(path, fmt::format("cannot be read ({}); it may be damaged", error.what()));
   }
+}
+
+}  // namespace
+
+OutputInfo read_output_info(const fs::path& path) {
+  constexpr int tries = 3;  // a running run may put a new file in place between two looks
+  for (int attempt = 1;; ++attempt) {
+    const auto before = identity_of(path);
+    rehearse(path, 0, [&] { info_of(path); });
+    OutputInfo info = info_of(path);
+    if (!info.checkpoint) return info;
+    const bool fits = add_journal(path, info.basis, info);
+    if (!fits && attempt < tries && identity_of(path) != before) continue;
+    if (info.complete) return info;
+    info.snapshots = info.checkpoint->snapshots;
+    info.logged_collisions = info.checkpoint->log_rows;
+    info.last_collision = info.checkpoint->collisions;
+    info.last_time = info.checkpoint->time;
+    return info;
+  }
+}
+
+Checkpoint read_checkpoint(const fs::path& path) {
+  std::error_code ignored;
+  const auto bytes = fs::file_size(path, ignored);
+  rehearse(path, ignored ? 0 : static_cast<std::int64_t>(bytes), [&] { checkpoint_of(path); });
+  return checkpoint_of(path);
+}
+
+bool is_hdf5_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) && hdf5::is_hdf5(path);
+}
+
+LastSnapshot read_last_snapshot(const fs::path& path, int dimension, std::int64_t spheres) {
+  const auto bytes = static_cast<std::int64_t>(2 * sizeof(double)) * spheres * dimension;
+  rehearse(path, bytes, [&] { snapshot_of(path, dimension, spheres); });
+  return snapshot_of(path, dimension, spheres);
 }
 
 }  // namespace zenosphere

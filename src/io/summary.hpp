@@ -87,8 +87,8 @@ std::string to_json(const Summary& summary, int dimension);
 
 /// The summary that such a text describes.
 ///
-/// Throws InputError if it is not one, as in a damaged file.
-Summary summary_from_json(const std::string& text);
+/// Throws InputError if it is not one of D dimensions, as in a damaged file.
+Summary summary_from_json(const std::string& text, int dimension);
 
 /// The summary for people: some lines of aligned text, the verdict first.
 std::string to_text(const Summary& summary, int dimension);

@@ -1,4 +1,10 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "io/summary.hpp"
 #include "model/errors.hpp"
@@ -9,16 +15,35 @@ namespace {
 
 using Json = nlohmann::json;
 
+[[noreturn]] void reject(const std::string& what) {
+  constexpr std::size_t longest = 200;  // the library repeats what it could not read
+  throw InputError("/zenosphere/summary: " + what.substr(0, longest) +
+                   " (the file is damaged); run the case again");
+}
+
+/// Keeps its values in their types: the library would round a fraction to an integer, and a number
+/// beyond the integers to nothing that is defined.
+template <class T>
+T value_of(const Json& member) {
+  if constexpr (std::is_same_v<T, std::int64_t>) {
+    const bool fits = member.is_number_integer() &&
+                      (!member.is_number_unsigned() ||
+                       member.get<std::uint64_t>() <= std::numeric_limits<std::int64_t>::max());
+    if (!fits) reject(fmt::format("a {} where an integer must be", member.type_name()));
+  }
+  return member.get<T>();
+}
+
 template <class T>
 void read(const Json& object, const char* key, T& value) {
-  object.at(key).get_to(value);
+  value = value_of<T>(object.at(key));
 }
 
 /// Null stands for an absent value.
 template <class T>
 void read(const Json& object, const char* key, std::optional<T>& value) {
   const Json& member = object.at(key);
-  if (!member.is_null()) value = member.get<T>();
+  if (!member.is_null()) value = value_of<T>(member);
 }
 
 /// Null stands for a number that is not finite.
@@ -27,7 +52,29 @@ void read(const Json& object, const char* key, double& value) {
   value = member.is_null() ? std::numeric_limits<double>::quiet_NaN() : member.get<double>();
 }
 
-std::optional<Averages> averages(const Json& json) {
+void read_verdict(const Json& json, std::string& verdict) {
+  constexpr std::array<std::string_view, 4> words{"none", "temporary", "open", "true"};
+  read(json, "verdict", verdict);
+  if (std::find(words.begin(), words.end(), verdict) == words.end()) reject("no known verdict");
+}
+
+void read_pairs(const Json& json, Summary::Arrest& arrest) {
+  for (const Json& pair : json) {
+    if (!pair.is_array() || pair.size() != 2) reject("arrest.pairs has other than pairs");
+    arrest.pairs.emplace_back(value_of<std::int64_t>(pair[0]), value_of<std::int64_t>(pair[1]));
+  }
+}
+
+void require_extents(const Averages& averages, int dimension) {
+  const auto components = static_cast<std::size_t>(dimension);
+  const std::size_t walls = averages.wall_pressure.size();
+  const bool fits = averages.temperature_diagonal.size() == components &&
+                    averages.pressure_tensor.size() == components * components &&
+                    (walls == 0 || walls == 2);
+  if (!fits) reject(fmt::format("its averages do not have {} dimensions", dimension));
+}
+
+std::optional<Averages> averages(const Json& json, int dimension) {
   if (json.at("to_time").is_null()) return std::nullopt;
   Averages averages;
   read(json, "granular_temperature", averages.granular_temperature);
@@ -45,11 +92,12 @@ std::optional<Averages> averages(const Json& json) {
   read(json, "normal_speed", averages.normal_speed);
   read(json, "other_work", averages.other_work);
   read(json, "wall_pressure", averages.wall_pressure);
+  require_extents(averages, dimension);
   return averages;
 }
 
 void read_collapse(const Json& json, Summary& summary) {
-  read(json, "verdict", summary.verdict);
+  read_verdict(json, summary.verdict);
   const Json& separation = json.at("separation");
   read(separation, "hits", summary.separation.hits);
   read(separation, "first_collision", summary.separation.first_collision);
@@ -60,7 +108,7 @@ void read_collapse(const Json& json, Summary& summary) {
   read(arrest, "collision", summary.arrest.collision);
   read(arrest, "time", summary.arrest.time);
   read(arrest, "window", summary.arrest.window);
-  read(arrest, "pairs", summary.arrest.pairs);
+  read_pairs(arrest.at("pairs"), summary.arrest);
   read(arrest, "extrapolated_time", summary.arrest.extrapolated_time);
   read(arrest, "flight_ratio", summary.arrest.flight_ratio);
 }
@@ -94,7 +142,7 @@ void read_contact(const Json& json, Summary::Contact& contact) {
   read(json, "rotated", contact.rotated);
 }
 
-Summary summary_of(const Json& json) {
+Summary summary_of(const Json& json, int dimension) {
   Summary summary;
   read(json, "collisions", summary.collisions);
   read(json, "collisions_per_sphere", summary.collisions_per_sphere);
@@ -103,7 +151,7 @@ Summary summary_of(const Json& json) {
   read(json, "outcome", summary.outcome);
   read_collapse(json, summary);
   read(json, "absorbed", summary.absorbed);
-  summary.averages = averages(json.at("averages"));
+  summary.averages = averages(json.at("averages"), dimension);
   read(json, "ledger_error", summary.ledger_error);
   read(json, "wall_seconds", summary.wall_seconds);
   read(json, "collisions_per_second", summary.collisions_per_second);
@@ -122,12 +170,11 @@ Summary summary_of(const Json& json) {
 
 }  // namespace
 
-Summary summary_from_json(const std::string& text) {
+Summary summary_from_json(const std::string& text, int dimension) {
   try {
-    return summary_of(Json::parse(text));
+    return summary_of(Json::parse(text), dimension);
   } catch (const Json::exception& error) {
-    throw InputError("/zenosphere/summary: " + std::string(error.what()) +
-                     " (the file is damaged); run the case again");
+    reject(error.what());
   }
 }
 

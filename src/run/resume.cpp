@@ -102,8 +102,9 @@ Case case_to_resume(const RecoveredOutput& output, std::span<const std::string> 
           values);
   // A run that was cut off at its very end has its end still to write.
   const bool has_ended = output.info.complete && output.journal.size() == 0;
-  const Summary reached =
-      summary_from_json(has_ended ? output.info.summary.value_or("") : output.checkpoint.summary);
+  const std::string summary =
+      has_ended ? output.info.summary.value_or("") : output.checkpoint.summary;
+  const Summary reached = summary_from_json(summary, output.info.dimension);
   const auto reason =
       has_ended ? reason_to_stay(values, reached) : reason_to_refuse(values, reached);
   if (reason) {

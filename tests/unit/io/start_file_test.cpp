@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -248,6 +249,9 @@ TEST_F(StartFile, ThatCannotBeOpenedIsAnInputError) {
             "permissions");
   std::filesystem::create_directory(file);
   EXPECT_EQ(problem(), "start: is a directory; name the file in it");
+  std::filesystem::remove(file);
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  EXPECT_EQ(problem(), "start: is not a regular file (it is read twice); copy it to one");
 }
 
 TEST_F(StartFile, OutputFileGivesItsLastSnapshot) {

@@ -139,12 +139,12 @@ TEST(Summary, JsonKeepsEveryBitOfANumber) {
 TEST(Summary, IsReadBackFromItsJson) {
   Summary summary = collapsed_summary();
   const std::string without = to_json(summary, 2);
-  EXPECT_EQ(to_json(summary_from_json(without), 2), without);
+  EXPECT_EQ(to_json(summary_from_json(without, 2), 2), without);
   summary.averages = planar_averages();
   const std::string with = to_json(summary, 2);
-  EXPECT_EQ(to_json(summary_from_json(with), 2), with);
-  EXPECT_THROW(summary_from_json("{}"), InputError);
-  EXPECT_THROW(summary_from_json("[1, 2"), InputError);
+  EXPECT_EQ(to_json(summary_from_json(with, 2), 2), with);
+  EXPECT_THROW(summary_from_json("{}", 2), InputError);
+  EXPECT_THROW(summary_from_json("[1, 2", 2), InputError);
 }
 
 Summary::Dissected dissected_chain() {
@@ -170,7 +170,7 @@ TEST(Summary, KeepsTheAnatomyInItsJsonAndTellsItInWords) {
   const std::string json = to_json(summary, 2);
   EXPECT_EQ(Json::parse(json)["anatomy"]["hit"]["chain"].dump(), "[4,2,3,8,9]");
   EXPECT_TRUE(Json::parse(json)["anatomy"]["hit"]["speed_ratio"].is_null());
-  EXPECT_EQ(to_json(summary_from_json(json), 2), json);
+  EXPECT_EQ(to_json(summary_from_json(json, 2), 2), json);
   EXPECT_NE(to_text(summary, 2)
                 .find("cluster at first hit    5 spheres, a chain of 5, straightness "
                       "0.995; gap x 0.5 per collision\n"),
@@ -181,7 +181,7 @@ TEST(Summary, IsReadFromAFileThatHasNoAnatomyOrContactModels) {
   auto json = Json::parse(to_json(collapsed_summary(), 2));
   json.erase("anatomy");
   json.erase("contact");
-  EXPECT_FALSE(summary_from_json(json.dump()).anatomy.hit);
+  EXPECT_FALSE(summary_from_json(json.dump(), 2).anatomy.hit);
 }
 
 TEST(Summary, TextBeginsWithTheVerdictInPlainWords) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+/// One function for each reader of what may come from somebody else. Each takes any bytes, lets the
+/// reader refuse them with an InputError, and ends the process where something else happens.
+namespace zenosphere::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// A case file; behind each zero byte one argument of `--set`. What is accepted must survive being
+/// written and read again. Files that a case names are not opened.
+void case_file(Bytes bytes);
+
+/// The JSON text in /zenosphere/summary. What is accepted must survive being written and read.
+void summary(Bytes bytes);
+
+/// A start in extended XYZ, of two spheres in one, two and three dimensions.
+void start_text(Bytes bytes);
+
+/// A start in HDF5, of three spheres in two dimensions.
+void start_output(Bytes bytes);
+
+/// An output file, as `info` prints it.
+void output_file(Bytes bytes);
+
+}  // namespace zenosphere::fuzz

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace zenosphere {
+
+/// A text for a terminal: control characters other than line ends and tabs become `?`.
+///
+/// What a file from somebody else says is shown to people; it must not move their cursor, change
+/// the title of their window or answer for them.
+inline std::string printable(std::string_view text) {
+  std::string result(text);
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    const auto byte = static_cast<unsigned char>(result[n]);
+    const bool is_control = (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F;
+    const bool follows_c2 = n > 0 && static_cast<unsigned char>(text[n - 1]) == 0xC2;
+    const bool is_c1 = follows_c2 && byte >= 0x80 && byte < 0xA0;  // U+0080 to U+009F in UTF-8
+    if (is_control || is_c1) result[n] = '?';
+    if (is_c1) result[n - 1] = '?';
+  }
+  return result;
+}
+
+}  // namespace zenosphere
