@@ -262,12 +262,15 @@ std::string to_json(const Summary& summary, int dimension) {
       {"receding", summary.receding},
       {"contact", contact(summary.contact)},
       {"anatomy",
-       {{"hit", dissected(summary.anatomy.hit)}, {"arrest", dissected(summary.anatomy.arrest)}}}};
+       {{"hit", dissected(summary.anatomy.hit)}, {"arrest", dissected(summary.anatomy.arrest)}}},
+      {"self_check", or_null(summary.self_check)}};
   return json.dump();
 }
 
 std::string to_text(const Summary& summary, int dimension) {
-  std::string text = verdict_sentence(summary) + "\n\n";
+  std::string text;
+  if (summary.self_check) text = fmt::format("Ended by a self-check: {}\n\n", *summary.self_check);
+  text += verdict_sentence(summary) + "\n\n";
   text += run_lines(summary) + criteria_lines(summary);
   text += anatomy_lines(summary.anatomy) + contact_line(summary.contact) + cost_lines(summary);
   if (summary.averages) {

@@ -21,7 +21,8 @@ struct Summary {
   double time = 0;
   double strain = 0;
   std::string outcome;   ///< "finished" | "collapsed" | "interrupted"
-  std::string ended_by;  ///< "collisions" | "time" | "arrest" | "overlap" | "signal" | "at rest"
+  std::string ended_by;  ///< "collisions" | "time" | "arrest" | "overlap" | "signal" | "at rest" |
+                         ///< "self-check"
   std::string verdict;   ///< "none" | "temporary" | "open" | "true"
 
   struct Separation {
@@ -72,6 +73,8 @@ struct Summary {
   } contact;
 
   std::optional<Averages> averages;  ///< absent where the measured span is empty
+
+  std::optional<std::string> self_check;  ///< what cannot be right, where that ended the run
 
   double ledger_error = 0;  ///< relative
   double wall_seconds = 0;

@@ -165,6 +165,7 @@ Summary summary_of(const Json& json, int dimension) {
                        dissected(json.at("anatomy").at("arrest"))};
   }
   if (json.contains("contact")) read_contact(json.at("contact"), summary.contact);
+  if (json.contains("self_check")) read(json, "self_check", summary.self_check);
   return summary;
 }
 

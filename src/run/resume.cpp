@@ -50,8 +50,13 @@ std::string has_collapsed(const Summary& reached) {
       reached.arrest.collision.value_or(0));
 }
 
+std::string cannot_be_right(const std::string& finding) {
+  return fmt::format("was ended by a self-check, {}; run the case again", finding);
+}
+
 /// Why a run that has ended cannot go on, and what to do.
 std::optional<std::string> reason_to_stay(const Case& values, const Summary& reached) {
+  if (reached.self_check) return cannot_be_right(*reached.self_check);
   const auto& limits = values.run;
   if (limits.collisions && *limits.collisions <= reached.collisions) {
     return collisions_are_done(*limits.collisions, reached.collisions);
@@ -68,6 +73,7 @@ std::optional<std::string> reason_to_stay(const Case& values, const Summary& rea
 
 /// Why a run that was cut off would have ended before the place where it stands, and what to do.
 std::optional<std::string> reason_to_refuse(const Case& values, const Summary& reached) {
+  if (reached.self_check) return cannot_be_right(*reached.self_check);
   const auto& limits = values.run;
   if (limits.collisions && *limits.collisions < reached.collisions) {
     return collisions_are_done(*limits.collisions, reached.collisions);

@@ -21,6 +21,7 @@
 #include "run/collision_counts.hpp"
 #include "run/random_driving.hpp"
 #include "run/recorder.hpp"
+#include "run/self_check.hpp"
 #include "run/setup.hpp"
 #include "run/state_head.hpp"
 #include "run/stopwatch.hpp"
@@ -67,6 +68,7 @@ class Run {
         dissector_(values.collapse.gap_threshold, simulation_.spheres(), box_.clock_unit(),
                    constant_restitution(values)),
         measurements_(simulation_, values.measure.after_time),
+        self_check_(simulation_),
         cadence_(values.output, simulation_.collisions()) {}
 
   Summary go() {
@@ -78,11 +80,13 @@ class Run {
         dissector_.observe(*collision);
         if (arrest_.is_met()) dissector_.observe_arrest(arrest_.pairs());
         measurements_.observe(*collision, simulation_);
+        self_check_.observe(*collision);
         if (recorder_) recorder_->observe(*collision);
         counts_.observe(*collision);
       } else if (simulation_.is_waiting()) {
         pause();
       }
+      if (self_check_.is_due(simulation_)) self_check_.look(simulation_, measurements_);
       attend_to_the_clock();
     }
     return finish();
@@ -91,6 +95,8 @@ class Run {
  private:
   Summary finish() {
     keep_the_end();
+    self_check_.look(simulation_, measurements_);  // a longer run would not look here
+    if (self_check_.violation()) ended_by_ = "self-check";
     if (const auto& pair = simulation_.stopped_before()) {
       separation_.observe_next(pair->gap);
       dissector_.observe_next({pair->i, pair->j}, pair->gap);
@@ -105,7 +111,9 @@ class Run {
   /// Sets why the run ends, once it does.
   bool is_over() {
     const auto& limits = values_.run;
-    if (options_.interrupt && *options_.interrupt) {
+    if (self_check_.violation()) {
+      ended_by_ = "self-check";
+    } else if (options_.interrupt && *options_.interrupt) {
       ended_by_ = "signal";
     } else if (arrest_.is_met() && values_.collapse.stop_when_collapsed) {
       ended_by_ = "arrest";
@@ -195,7 +203,7 @@ class Run {
   template <class Self, class Archive>
   static void archive_observers(Self& self, Archive& archive) {
     archive(self.driving_, self.separation_, self.arrest_, self.collapse_time_, self.dissector_,
-            self.measurements_, self.counts_);
+            self.measurements_, self.counts_, self.self_check_);
   }
 
   /// Wall time of the whole run, with what it took before it was interrupted [s].
@@ -224,10 +232,12 @@ class Run {
     summary.time = simulation_.time();
     summary.strain = static_cast<double>(box_.shear_rate()) * summary.time;
     summary.ended_by = ended_by_;
+    const bool is_interrupted = ended_by_ == "signal" || ended_by_ == "self-check";
     summary.outcome = ended_by_.empty()       ? "unfinished"
-                      : ended_by_ == "signal" ? "interrupted"
+                      : is_interrupted        ? "interrupted"
                       : ended_by_ == "arrest" ? "collapsed"
                                               : "finished";
+    summary.self_check = self_check_.violation();
     add_collapse(summary);
     summary.absorbed = counts_.absorbed;
     summary.overlap_collisions = counts_.overlapping;
@@ -280,6 +290,7 @@ class Run {
   CollapseTime<Dim, Real> collapse_time_;
   Dissector<Dim, Real> dissector_;
   Measurements<Dim, Real> measurements_;
+  SelfCheck<Dim, Real> self_check_;
   CheckpointCadence cadence_;
   std::optional<OutputFile> file_;
   std::optional<Recorder<Dim, Real>> recorder_;

@@ -251,3 +251,14 @@ def test_info_tells_the_state_of_a_killed_run_at_its_last_checkpoint(program):
     text = program("info", "out.h5").stdout
     assert text.startswith("Unfinished: ") and f"zenosphere resume out.h5" in text
     assert {path.name: path.read_bytes() for path in program.folder.iterdir()} == before
+
+
+def test_run_that_a_self_check_ended_is_not_resumed(program):
+    program.keep()
+    with h5py.File(program.folder / "out.h5", "r+") as file:
+        summary = json.loads(file["zenosphere/summary"][()])
+        summary["self_check"] = "after collision 7: the energy ledger is open"
+        del file["zenosphere/summary"]
+        file["zenosphere/summary"] = json.dumps(summary)
+    (line,) = program.fail("resume", "out.h5", "--set", "run.collisions=3000")
+    assert line.startswith("out.h5: was ended by a self-check, after collision 7: the energy")

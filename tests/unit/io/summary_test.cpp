@@ -61,7 +61,8 @@ TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
                                                   "overlaps_ignored",
                                                   "receding",
                                                   "contact",
-                                                  "anatomy"}));
+                                                  "anatomy",
+                                                  "self_check"}));
   EXPECT_EQ(keys(json["separation"]),
             (std::vector<std::string>{"hits", "first_collision", "first_time", "last_collision"}));
   EXPECT_EQ(keys(json["arrest"]),

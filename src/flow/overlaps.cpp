@@ -1,0 +1,141 @@
+#include "flow/overlaps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace zenosphere {
+namespace {
+
+/// Cells a little wider than a sphere, so that only neighbouring ones hold spheres that overlap.
+class SortedSpheres {
+ public:
+  explicit SortedSpheres(const PlacedSpheres& spheres) : spheres_(spheres) {
+    constexpr double least_width = 1.001;
+    constexpr double most_cells = 1 << 20;  // a side, so that the number of a cell fits in 64 bits
+    for (std::size_t axis = 0; axis < dimension(); ++axis) {
+      const double fitting = std::floor(spheres.sides[axis] / least_width);
+      cells_[axis] = static_cast<std::int64_t>(std::clamp(fitting, 1.0, most_cells));
+    }
+    const std::size_t count = spheres.positions.size() / dimension();
+    sorted_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) sorted_.emplace_back(cell_of(place_of(i)), i);
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  Overlap deepest() const {
+    Overlap deepest;
+    for (const auto& [cell, i] : sorted_) search_around(i, deepest);
+    return deepest;
+  }
+
+ private:
+  using Place = std::array<double, 3>;
+
+  std::size_t dimension() const { return spheres_.sides.size(); }
+  bool is_closed(std::size_t axis) const { return spheres_.closed == static_cast<int>(axis); }
+
+  Place place_of(std::size_t i) const {
+    Place place{};
+    for (std::size_t axis = 0; axis < dimension(); ++axis) {
+      place[axis] = spheres_.positions[i * dimension() + axis];
+    }
+    return place;
+  }
+
+  std::int64_t cell_along(std::size_t axis, double position) const {
+    const double width = spheres_.sides[axis] / static_cast<double>(cells_[axis]);
+    const auto cell = static_cast<std::int64_t>(std::floor(position / width));
+    return std::clamp<std::int64_t>(cell, 0, cells_[axis] - 1);
+  }
+
+  std::int64_t cell_of(const Place& place) const {
+    std::int64_t cell = 0;
+    for (std::size_t axis = dimension(); axis-- > 0;) {  // x fastest: a row is a run of cells
+      cell = cell * cells_[axis] + cell_along(axis, place[axis]);
+    }
+    return cell;
+  }
+
+  /// Looks at the rows of cells around a sphere, for each at the three columns next to it.
+  void search_around(std::size_t i, Overlap& deepest) const {
+    const Place place = place_of(i);
+    const int layers = dimension() > 1 ? 1 : 0;
+    const int planes = dimension() > 2 ? 1 : 0;
+    for (int plane = -planes; plane <= planes; ++plane) {
+      for (int layer = -layers; layer <= layers; ++layer) {
+        search_row(i, place, layer, plane, deepest);
+      }
+    }
+  }
+
+  void search_row(std::size_t i, const Place& place, int layer, int plane, Overlap& deepest) const {
+    const std::array<int, 3> steps{0, layer, plane};
+    std::int64_t row = 0;
+    double x = place[0];
+    for (std::size_t axis = dimension(); axis-- > 1;) {
+      const std::int64_t cells = cells_[axis];
+      const std::int64_t wanted = cell_along(axis, place[axis]) + steps[axis];
+      const std::int64_t around = wanted < 0 ? -1 : wanted >= cells ? 1 : 0;
+      if (around != 0 && is_closed(axis)) return;
+      row = row * cells + (wanted - around * cells);
+      if (axis == 1) x -= static_cast<double>(around) * spheres_.offset;
+    }
+    const double side = spheres_.sides[0];
+    const std::int64_t column = cell_along(0, x - side * std::floor(x / side));
+    for (std::int64_t next = column - 1; next <= column + 1; ++next) {
+      const std::int64_t wrapped = (next + cells_[0]) % cells_[0];
+      search_cell(i, place, row * cells_[0] + wrapped, deepest);
+    }
+  }
+
+  void search_cell(std::size_t i, const Place& place, std::int64_t cell, Overlap& deepest) const {
+    auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(cell, i + 1));
+    for (; found != sorted_.end() && found->first == cell; ++found) {
+      const double depth = 1 - distance(place, place_of(found->second));
+      if (!(depth > deepest.depth)) continue;
+      deepest = {static_cast<std::int64_t>(i), static_cast<std::int64_t>(found->second), depth};
+    }
+  }
+
+  /// Between nearest images: the layers first, since they displace the columns.
+  double distance(const Place& a, const Place& b) const {
+    double square = 0;
+    double displaced = 0;
+    for (std::size_t axis = dimension(); axis-- > 0;) {
+      double along = b[axis] - a[axis] - (axis == 0 ? displaced : 0.0);
+      if (!is_closed(axis)) {
+        const double periods = std::round(along / spheres_.sides[axis]);
+        along -= periods * spheres_.sides[axis];
+        if (axis == 1) displaced = periods * spheres_.offset;
+      }
+      square += along * along;
+    }
+    return std::sqrt(square);
+  }
+
+  const PlacedSpheres& spheres_;
+  std::array<std::int64_t, 3> cells_{};
+  std::vector<std::pair<std::int64_t, std::size_t>> sorted_;  ///< cell, sphere
+};
+
+}  // namespace
+
+double deepest_permitted(OverlapRule rule, double guard, double time) {
+  constexpr double by_rounding = 1e-9;  // starts may overlap by 1e-12, and boxes have 1e9 diameters
+  switch (rule) {
+    case OverlapRule::rewind:
+      return 1e-3;
+    case OverlapRule::guarded:
+      return by_rounding + guard * time;
+    case OverlapRule::immediate:
+    case OverlapRule::stop:
+      break;
+  }
+  return by_rounding;
+}
+
+Overlap deepest_overlap(const PlacedSpheres& spheres) { return SortedSpheres(spheres).deepest(); }
+
+}  // namespace zenosphere

@@ -1,0 +1,100 @@
+#include "run/self_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "model/archive.hpp"
+#include "support/records.hpp"
+
+namespace zenosphere {
+namespace {
+
+/// Four spheres apart in a box of 10 diameters, sheared.
+Simulation<3, double> sheared_four(double second_x = 4) {
+  const Configuration<3, double> start{
+      {{1, 1, 1}, {second_x, 1, 1}, {1, 5, 5}, {6, 6, 6}},
+      {{1, 0.5, 0}, {-1, 0.25, 0}, {0.5, -1, 0.125}, {0, 0.5, -0.25}}};
+  return {ShearBox<3, double>({10, 10, 10}, 1.0), start, {0.9, OverlapRule::immediate}};
+}
+
+class SelfCheckTest : public testing::Test {
+ protected:
+  std::string found() {
+    check.look(simulation, measurements);
+    return check.violation().value_or("");
+  }
+
+  Simulation<3, double> simulation = sheared_four();
+  Measurements<3, double> measurements{simulation, 0};
+  SelfCheck<3, double> check{simulation};
+};
+
+TEST_F(SelfCheckTest, FindsNothingInARun) {
+  for (int n = 0; n < 200; ++n) {
+    const auto collision = simulation.next_collision(1e9);
+    if (!collision) continue;
+    measurements.observe(*collision, simulation);
+    check.observe(*collision);
+  }
+  EXPECT_GT(simulation.collisions(), 100);
+  EXPECT_EQ(found(), "");
+}
+
+TEST_F(SelfCheckTest, FindsMomentumFromNowhere) {
+  measurements.kick(simulation, {{0, 0, 1e-6}, {}, {}, {}});
+  EXPECT_NE(found().find("momentum along axis 2"), std::string::npos) << found();
+}
+
+TEST_F(SelfCheckTest, FindsEnergyFromNowhere) {
+  simulation.kick({{0, 1e-3, 0}, {0, -1e-3, 0}, {}, {}});  // the measurements are not told
+  EXPECT_NE(found().find("the energy ledger is open"), std::string::npos) << found();
+}
+
+TEST_F(SelfCheckTest, FindsWhatIsNoNumber) {
+  simulation.kick({{0, std::numeric_limits<double>::quiet_NaN(), 0}, {}, {}, {}});
+  EXPECT_NE(found(), "");
+}
+
+TEST_F(SelfCheckTest, GoesOnFromAnArchiveWithTheMomentumOfTheStart) {
+  ArchiveWriter writer;
+  writer(check);
+  measurements.kick(simulation, {{0, 0, 1e-6}, {}, {}, {}});
+  SelfCheck<3, double> resumed(simulation);
+  ArchiveReader reader(writer.bytes());
+  reader(resumed);
+  reader.require_end();
+  resumed.look(simulation, measurements);
+  ASSERT_TRUE(resumed.violation());
+  EXPECT_NE(resumed.violation()->find("momentum along axis 2"), std::string::npos);
+}
+
+TEST(SelfCheck, FindsSpheresInEachOther) {
+  auto simulation = sheared_four(1.5);
+  const Measurements<3, double> measurements(simulation, 0);
+  SelfCheck<3, double> check(simulation);
+  check.look(simulation, measurements);
+  ASSERT_TRUE(check.violation());
+  EXPECT_EQ(check.violation()->substr(0, 59),
+            "after collision 0: spheres 0 and 1 overlap by 0.5 diameters");
+}
+
+TEST(SelfCheck, FindsAClockThatGoesBackWithoutAnOverlap) {
+  const auto simulation = sheared_four();
+  SelfCheck<3, double> check(simulation);
+  auto collision = support::record(1, 0, 1, 0, 0.5);
+  collision.impact.normal_speed = 1;
+  collision.flight = -1e-15;  // some units in the last place
+  check.observe(collision);
+  collision.overlapping = true;
+  collision.flight = -1e-6;  // at this speed a thousandth of a thousandth deep
+  check.observe(collision);
+  EXPECT_FALSE(check.violation());
+  collision.overlapping = false;
+  check.observe(collision);
+  EXPECT_TRUE(check.violation());
+}
+
+}  // namespace
+}  // namespace zenosphere
