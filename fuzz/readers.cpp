@@ -14,6 +14,7 @@
 #include "io/start_file.hpp"
 #include "io/summary.hpp"
 #include "model/errors.hpp"
+#include "verify/verify.hpp"
 
 namespace zenosphere::fuzz {
 namespace {
@@ -103,6 +104,11 @@ void output_file(Bytes bytes) {
     to_json(info);
   });
   attempt([&] { read_checkpoint(file.path()); });
+}
+
+void verified_file(Bytes bytes) {
+  const MemoryFile file(bytes);
+  attempt([&] { to_text(verify_file(file.path()), "out.h5"); });
 }
 
 }  // namespace zenosphere::fuzz

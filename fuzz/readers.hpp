@@ -25,4 +25,7 @@ void start_output(Bytes bytes);
 /// An output file, as `info` prints it.
 void output_file(Bytes bytes);
 
+/// An output file, as `verify` reads it: all of it.
+void verified_file(Bytes bytes);
+
 }  // namespace zenosphere::fuzz

@@ -19,11 +19,13 @@
 #include "io/info.hpp"
 #include "io/keep_adjudication.hpp"
 #include "io/output_reader.hpp"
+#include "io/printable.hpp"
 #include "io/recovery.hpp"
 #include "model/errors.hpp"
 #include "run/adjudicate.hpp"
 #include "run/resume.hpp"
 #include "run/run.hpp"
+#include "verify/verify.hpp"
 
 namespace zenosphere {
 
@@ -64,6 +66,10 @@ RunOptions run_options(const Arguments& arguments) {
 }
 
 int exit_code_of(const Summary& summary, const Arguments& arguments) {
+  if (summary.self_check) {
+    fmt::print(stderr, "{}: {}\n", arguments.file, *summary.self_check);
+    return exit_code::internal_error;
+  }
   if (summary.outcome == "interrupted") return exit_code::interrupted;
   if (arguments.fail_on_collapse && summary.verdict == "true") return exit_code::collapsed;
   return exit_code::done;
@@ -151,6 +157,12 @@ int adjudicate(const Arguments& arguments) {
   return exit_code::done;
 }
 
+int verify_output(const Arguments& arguments) {
+  const Verification verification = verify_file(arguments.file);
+  print(printable(to_text(verification, arguments.file)));
+  return verification.findings.count() == 0 ? exit_code::done : exit_code::wrong_input;
+}
+
 void add_overrides(CLI::App& command, Arguments& arguments) {
   command.add_option("--set", arguments.overrides, "override a key, as in system.restitution=0.2")
       ->type_name("KEY=VALUE")
@@ -222,6 +234,14 @@ void add_adjudicate(CLI::App& app, Arguments& arguments) {
   command.add_flag("--quiet", arguments.quiet, "no progress, no table for people");
 }
 
+void add_verify(CLI::App& app, Arguments& arguments) {
+  CLI::App& command = *app.add_subcommand(
+      "verify", "re-check a finished file: replay the collision log against the snapshots");
+  command.add_option("file", arguments.file, "output file of a run")
+      ->required()
+      ->type_name("OUT.h5");
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -237,6 +257,7 @@ int run_command_line(int argc, char** argv) {
   add_check(app, arguments);
   add_info(app, arguments);
   add_adjudicate(app, arguments);
+  add_verify(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -253,6 +274,7 @@ int run_command_line(int argc, char** argv) {
   if (app.got_subcommand("resume")) return resume(arguments);
   if (app.got_subcommand("adjudicate")) return adjudicate(arguments);
   if (app.got_subcommand("check")) return check(arguments);
+  if (app.got_subcommand("verify")) return verify_output(arguments);
   return info(arguments);
 }
 

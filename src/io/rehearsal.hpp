@@ -15,7 +15,7 @@ namespace zenosphere {
 ///
 /// \param path      the file that is read, for the messages
 /// \param bytes     what the reading returns, roughly; the copy may take 4 x as much and 256 MiB,
-///                  and a second of processor time for each 32 MiB and 10 more
+///                  and a second of processor time for each 32 MiB and 2 more
 /// \param reading   may throw InputError
 /// Throws the InputError of the reading, or one that says how the copy ended.
 /// Source: HDF5 1.10 has published crashes on damaged files, for example CVE-2021-37501.

@@ -34,5 +34,7 @@ TEST(Corpus, OfStartsInTextIsReadOrRefused) { replay("start_text", start_text); 
 TEST(Corpus, OfStartsInHdf5IsReadOrRefused) { replay("start_output", start_output); }
 TEST(Corpus, OfOutputFilesIsReadOrRefused) { replay("output_file", output_file); }
 
+TEST(Corpus, OfVerifiedFilesIsReadOrRefused) { replay("verified_file", verified_file); }
+
 }  // namespace
 }  // namespace zenosphere::fuzz

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "io/hdf5.hpp"
+#include "io/output_reader.hpp"
+#include "io/records.hpp"
+
+namespace zenosphere {
+
+/// The content of an output file, snapshot by snapshot and in pieces of the collision log.
+class RunFile {
+ public:
+  /// Throws InputError as read_output_info does, and where columns have different lengths.
+  explicit RunFile(const std::filesystem::path& path);
+
+  const OutputInfo& info() const { return info_; }
+
+  /// Snapshot `n`, from 0. Throws InputError where it cannot be read.
+  Snapshot snapshot(std::int64_t n) const;
+
+  /// Rows `first` to `first + count - 1` of the log, from 0, likewise.
+  std::vector<CollisionRow> rows(std::int64_t first, std::int64_t count) const;
+
+ private:
+  std::filesystem::path path_;
+  OutputInfo info_;
+  hdf5::Handle file_;
+};
+
+}  // namespace zenosphere

@@ -1,0 +1,49 @@
+#include "verify/arrest_recount.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace zenosphere::verify {
+
+ArrestRecount::ArrestRecount(const Case& values)
+    : strict_(values.collapse.gap_threshold, values.collapse.window, 1.0),
+      lenient_(values.collapse.gap_threshold, values.collapse.window, 1.0) {}
+
+void ArrestRecount::observe(const CollisionRow& row, double gap_before) {
+  Collision<1, double> collision;
+  collision.number = row.k;
+  collision.i = row.i;
+  collision.j = row.j;
+  collision.gap_before = gap_before;
+  collision.time.remainder = row.time;
+  lenient_.observe(collision);
+  moves_ += (row.flags & collision_flag::clock_stood) == 0;
+  collision.time = {moves_, 0.0};
+  strict_.observe(collision);
+}
+
+void ArrestRecount::compare(const Summary& summary, Findings& findings) const {
+  constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+  const auto& told = summary.arrest;
+  const std::int64_t earliest = lenient_.collision().value_or(never);
+  const std::int64_t latest = strict_.collision().value_or(never);
+  const std::int64_t met = told.collision.value_or(never);
+  if (told.met != told.collision.has_value() || met < earliest || met > latest) {
+    const auto text = [](std::int64_t k) { return k == never ? "never" : fmt::format("{}", k); };
+    findings.add(fmt::format(
+        "summary: arrest.met = {}, arrest.collision = {} (the log has it met between {} and {})",
+        told.met, text(met), text(earliest), text(latest)));
+    return;
+  }
+  const auto& certain = earliest == met ? lenient_ : strict_;
+  if (certain.collision() != told.collision) return;  // between the two: its pairs are not known
+  Pairs pairs;
+  for (const auto& [i, j] : certain.pairs()) pairs.emplace_back(i, j);
+  if (pairs != told.pairs) {
+    findings.add(fmt::format("summary: arrest.pairs has {} pairs (the log has {}, or others)",
+                             told.pairs.size(), pairs.size()));
+  }
+}
+
+}  // namespace zenosphere::verify

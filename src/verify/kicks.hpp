@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "io/case.hpp"
+#include "model/random.hpp"
+#include "model/vec.hpp"
+
+namespace zenosphere::verify {
+
+/// The kicks of a randomly driven run, made again from its seed: no file holds them.
+template <int Dim>
+class Kicks {
+ public:
+  Kicks(const Case& values, std::int64_t spheres);
+
+  /// Time of the next kick; infinity where there are none.
+  double next() const { return next_; }
+
+  /// Velocity changes of the next kick, one for each sphere, diameters/time.
+  std::vector<Vec<Dim, long double>> take();
+
+ private:
+  Random random_;
+  std::size_t spheres_;
+  double interval_;
+  double step_;  ///< standard deviation of each component, diameters/time
+  bool keeps_momentum_;
+  std::int64_t taken_ = 0;
+  double next_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace zenosphere::verify

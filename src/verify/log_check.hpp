@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "io/case.hpp"
+#include "io/records.hpp"
+#include "io/summary.hpp"
+#include "verify/findings.hpp"
+
+namespace zenosphere::verify {
+
+/// Looks at each row of a collision log by itself and beside the one before, and counts again what
+/// the summary counts: nothing here depends on the motion.
+class LogCheck {
+ public:
+  /// \param last_time  that of the file: nothing happens later
+  LogCheck(const Case& values, std::int64_t spheres, double last_time)
+      : values_(values), spheres_(spheres), last_time_(last_time) {}
+
+  /// \return  whether the row is one of this system, so that it can be replayed
+  bool observe(const CollisionRow& row, Findings& findings);
+
+  /// Compares with the summary of a log that holds every collision.
+  void compare(const Summary& summary, Findings& findings) const;
+
+  /// Energy lost in the collisions up to now, mass diameter^2/time^2; nothing where walls take up
+  /// energy of which the log does not tell.
+  std::optional<double> dissipated() const;
+  std::int64_t collisions() const { return collisions_; }
+
+ private:
+  bool check_values(const CollisionRow& row, Findings& findings) const;
+  void check_order(const CollisionRow& row, Findings& findings) const;
+  void check_flags(const CollisionRow& row, Findings& findings) const;
+  void add(const CollisionRow& row);
+
+  const Case& values_;
+  std::int64_t spheres_;
+  double last_time_;
+  std::optional<CollisionRow> last_;
+  Summary::Separation separation_;  ///< counted again
+  std::int64_t collisions_ = 0;
+  std::int64_t absorbed_ = 0;
+  std::int64_t overlapped_ = 0;
+  std::int64_t receding_ = 0;
+  double dissipated_ = 0;
+};
+
+}  // namespace zenosphere::verify

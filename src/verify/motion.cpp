@@ -1,0 +1,162 @@
+#include "verify/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "io/case_box.hpp"
+#include "model/instantiate.hpp"
+#include "model/real.hpp"
+
+namespace zenosphere::verify {
+namespace {
+
+/// Rounding of the engine's arithmetic, or of this where the engine's is finer.
+long double rounding_of(Precision precision) {
+  return precision == Precision::double_precision ? double_rounding : 0x1p-62L;
+}
+
+template <int Dim>
+long double length(const Vec<Dim, long double>& vector) {
+  return std::sqrt(dot(vector, vector));
+}
+
+}  // namespace
+
+long double in_precision(double value, Precision precision) {
+  if (precision == Precision::double_precision) return value;
+  return from_decimal<long double>(value);
+}
+
+template <int Dim>
+Motion<Dim>::Motion(const Case& values, std::int64_t spheres)
+    : closed_(zenosphere::closed_axis(values)),
+      shear_rate_(in_precision(values.drive.shear_rate, values.collision.precision)),
+      rounding_(rounding_of(values.collision.precision)) {
+  const std::vector<double> sides = box_sides(values);
+  Number volume = 1;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto at = static_cast<std::size_t>(axis);
+    sides_[axis] = sides[at];
+    longest_ = std::max(longest_, sides_[axis]);
+    volume *= sides_[axis];
+    if (!values.gravity.acceleration.empty()) {
+      acceleration_[axis] =
+          in_precision(values.gravity.acceleration[at], values.collision.precision);
+    }
+  }
+  // A snapshot puts a layer where it is by its number times the slide, which is below two boxes.
+  const Number layers = Dim > 1 && shear_rate_ > 0 ? sides_[Dim > 1 ? 1 : 0] : Number(0);
+  storage_error_ = 2 * double_rounding * longest_ + rounding_ * sides_[0] * (4 + 2 * layers);
+  // Contact is predicted from a cell or two away; the square of the distance is rounded.
+  const Number spacing = std::pow(volume / static_cast<Number>(spheres), 1.0L / Dim);
+  const Number reach = std::min(longest_, 4 * spacing + 4);
+  event_error_ = 4 * rounding_ * (longest_ + reach * reach);
+}
+
+template <int Dim>
+void Motion<Dim>::start(double time, double offset) {
+  start_time_ = time;
+  start_offset_ = offset;
+}
+
+template <int Dim>
+Body<Dim> Motion<Dim>::stored(const Vector& position, const Vector& velocity, double time) const {
+  const Number speed = length(velocity) + shear_rate_ * longest_;
+  return {position, velocity, time, storage_error_, 4 * double_rounding * speed};
+}
+
+template <int Dim>
+typename Motion<Dim>::Number Motion<Dim>::clock_error(Number time) const {
+  const Number unit = shear_rate_ > 0 ? 4 / shear_rate_ : Number(1);
+  return double_rounding * (time + start_time_) + 16 * rounding_ * unit;
+}
+
+template <int Dim>
+Body<Dim> Motion<Dim>::moved(Body<Dim> body, Number time) const {
+  const Number flight = time - body.time;
+  body.position += body.velocity * flight + acceleration_ * (flight * flight / 2);
+  const Number speed = length(body.velocity);
+  body.velocity += acceleration_ * flight;
+  body.time = time;
+  if (body.position_error == unknown) return body;
+  // The engine rounds at the end of a flight and at each cell that it passes.
+  const Number roundings = 1 + Dim * speed * std::abs(flight);
+  body.position_error +=
+      std::abs(flight) * body.velocity_error + roundings * 2 * rounding_ * longest_;
+  body.velocity_error += roundings * 2 * rounding_ * (speed + length(acceleration_) * flight);
+  return body;
+}
+
+template <int Dim>
+typename Motion<Dim>::Vector Motion<Dim>::nearest(Vector between, Number time,
+                                                  Number& boxes_up) const {
+  boxes_up = 0;
+  for (int axis = Dim - 1; axis >= 0; --axis) {  // the gradient before the flow, which it displaces
+    if (closed_ == axis) continue;
+    const Number boxes = std::round(between[axis] / sides_[axis]);
+    between[axis] -= boxes * sides_[axis];
+    if (axis != 1) continue;
+    boxes_up = boxes;
+    between[0] -= boxes * (start_offset_ + shear_rate_ * sides_[axis] * (time - start_time_));
+  }
+  return between;
+}
+
+template <int Dim>
+Meeting<Dim> Motion<Dim>::meeting(const Body<Dim>& first, const Body<Dim>& second,
+                                  Number time) const {
+  const Body<Dim> a = moved(first, time);
+  const Body<Dim> b = moved(second, time);
+  Number boxes_up = 0;
+  const Vector between = nearest(b.position - a.position, time, boxes_up);
+  Vector velocity = b.velocity - a.velocity;
+  velocity[0] -= image_velocity(boxes_up);
+  const Number distance = length(between);
+  Meeting<Dim> meeting;
+  meeting.normal = between * (1 / distance);
+  meeting.gap = distance - 1;
+  meeting.closing = -dot(meeting.normal, velocity);
+  meeting.speed = length(velocity);
+  meeting.error = a.position_error + b.position_error + event_error_;
+  meeting.normal_error = meeting.error + meeting.speed * clock_error(time);
+  meeting.closing_error = a.velocity_error + b.velocity_error +
+                          meeting.speed * meeting.normal_error +
+                          8 * double_rounding * meeting.speed;
+  return meeting;
+}
+
+template <int Dim>
+Meeting<Dim> Motion<Dim>::wall_meeting(const Body<Dim>& body, int wall, Number time) const {
+  const Body<Dim> a = moved(body, time);
+  const int axis = *closed_;
+  const Number outward = wall == 0 ? -1 : 1;
+  Meeting<Dim> meeting;
+  meeting.normal[axis] = outward;
+  meeting.gap = (wall == 0 ? a.position[axis] : sides_[axis] - a.position[axis]) - 0.5L;
+  meeting.closing = outward * a.velocity[axis];
+  meeting.speed = length(a.velocity);
+  meeting.error = a.position_error + event_error_;
+  meeting.normal_error = 0;
+  // The engine takes the speed from the height of the fall, this one from its rounded duration.
+  meeting.closing_error = a.velocity_error + 8 * double_rounding * meeting.speed +
+                          2 * std::abs(acceleration_[axis]) * clock_error(time);
+  return meeting;
+}
+
+template <int Dim>
+typename Motion<Dim>::Number Motion<Dim>::image_velocity(Number boxes_up) const {
+  if constexpr (Dim == 1) return 0;
+  return boxes_up * shear_rate_ * sides_[Dim > 1 ? 1 : 0];
+}
+
+template <int Dim>
+typename Motion<Dim>::Number Motion<Dim>::shortest_side() const {
+  return *std::min_element(sides_.components.begin(), sides_.components.end());
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim) template class Motion<Dim>;
+ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere::verify

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "io/case.hpp"
+#include "model/vec.hpp"
+
+namespace zenosphere::verify {
+
+/// Rounding of a number that is stored in a file, relative.
+inline constexpr long double double_rounding = 0x1p-52L;
+
+/// A number of the case in the precision of its run.
+long double in_precision(double value, Precision precision);
+
+/// A sphere at one time, in the laboratory and unwrapped, with bounds on its errors.
+template <int Dim>
+struct Body {
+  Vec<Dim, long double> position;  ///< diameters
+  Vec<Dim, long double> velocity;  ///< diameters/time
+  long double time = 0;
+  long double position_error = 0;  ///< diameters; infinity: nothing is known
+  long double velocity_error = 0;  ///< diameters/time
+};
+
+/// Two spheres, or one and a wall, as they meet.
+template <int Dim>
+struct Meeting {
+  Vec<Dim, long double> normal;  ///< from the first to the second
+  long double gap = 0;           ///< diameters
+  long double closing = 0;       ///< normal speed, diameters/time
+  long double speed = 0;         ///< relative speed, diameters/time
+  long double error = 0;         ///< bound on that of the relative position
+  long double normal_error = 0;  ///< likewise
+  long double closing_error = 0;
+};
+
+/// How spheres fly and see each other in the box of a case, and how errors grow on the way.
+///
+/// Everything is in the laboratory: straight (or falling) flights and nearest images. Bounds are to
+/// first order: the storage of a snapshot, the rounding of the engine at each event and cell face,
+/// and that of stored times.
+template <int Dim>
+class Motion {
+ public:
+  using Number = long double;
+  using Vector = Vec<Dim, Number>;
+
+  static constexpr Number unknown = std::numeric_limits<Number>::infinity();
+
+  Motion(const Case& values, std::int64_t spheres);
+
+  /// Says where the images are: the offset of the upper one at a time (of a snapshot).
+  void start(double time, double offset);
+
+  /// The sphere of a snapshot, whose storage is its error.
+  Body<Dim> stored(const Vector& position, const Vector& velocity, double time) const;
+
+  /// The sphere at another time if it flies on; or back, where an overlap has set back the clock.
+  Body<Dim> moved(Body<Dim> body, Number time) const;
+
+  Meeting<Dim> meeting(const Body<Dim>& first, const Body<Dim>& second, Number time) const;
+  Meeting<Dim> wall_meeting(const Body<Dim>& body, int wall, Number time) const;
+
+  /// The vector between two unwrapped places to the nearest image of the second.
+  ///
+  /// \param boxes_up  set to how many boxes above the image the second place is
+  Vector nearest(Vector between, Number time, Number& boxes_up) const;
+
+  /// Velocity along x of an image, against that of the place so many boxes above it.
+  Number image_velocity(Number boxes_up) const;
+
+  /// Bound on the error of a stored time, and of one since the start of the replay.
+  Number clock_error(Number time) const;
+
+  const Vector& sides() const { return sides_; }
+  Number longest_side() const { return longest_; }
+  Number shortest_side() const;
+  Number shear_rate() const { return shear_rate_; }
+  const Vector& acceleration() const { return acceleration_; }
+  std::optional<int> closed_axis() const { return closed_; }
+  Number rounding() const { return rounding_; }
+  Number storage_error() const { return storage_error_; }
+
+ private:
+  Vector sides_;
+  Vector acceleration_;
+  std::optional<int> closed_;
+  Number shear_rate_;
+  Number rounding_;           ///< relative, of the engine
+  Number longest_ = 0;        ///< side
+  Number storage_error_ = 0;  ///< of a position in a snapshot
+  Number event_error_ = 0;    ///< of a contact, by rounding of its prediction
+  Number start_time_ = 0;
+  Number start_offset_ = 0;
+};
+
+}  // namespace zenosphere::verify

@@ -1,0 +1,268 @@
+#include "verify/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "flow/overlaps.hpp"
+#include "model/instantiate.hpp"
+#include "verify/law.hpp"
+
+namespace zenosphere::verify {
+namespace {
+
+template <int Dim>
+long double length(const Vec<Dim, long double>& vector) {
+  return std::sqrt(dot(vector, vector));
+}
+
+}  // namespace
+
+template <int Dim>
+Replay<Dim>::Replay(const Case& values, std::int64_t spheres)
+    : values_(values),
+      motion_(values, spheres),
+      restitution_(in_precision(values.system.restitution, values.collision.precision)),
+      bodies_(static_cast<std::size_t>(spheres)),
+      kicks_(values, spheres) {}
+
+template <int Dim>
+std::optional<int> Replay<Dim>::wall(std::int32_t j) const {
+  const auto spheres = static_cast<std::int32_t>(bodies_.size());
+  return j < spheres ? std::nullopt : std::optional<int>(j - spheres);
+}
+
+template <int Dim>
+void Replay<Dim>::observe(const Snapshot& snapshot, Findings& findings) {
+  kick_until(snapshot.time);
+  if (has_start_ && done_ == snapshot.step) compare(snapshot, findings);
+  start(snapshot);
+}
+
+template <int Dim>
+void Replay<Dim>::start(const Snapshot& snapshot) {
+  if (done_ != snapshot.step) last_.reset();
+  done_ = snapshot.step;
+  has_start_ = true;
+  motion_.start(snapshot.time, Dim > 1 ? snapshot.box_edges[Dim] : 0);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Vector position;
+    Vector velocity;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const std::size_t at = i * Dim + static_cast<std::size_t>(axis);
+      position[axis] = snapshot.positions[at];
+      velocity[axis] = snapshot.velocities[at];
+    }
+    bodies_[i] = motion_.stored(position, velocity, snapshot.time);
+  }
+}
+
+template <int Dim>
+void Replay<Dim>::kick_until(double time) {
+  while (kicks_.next() < time) {
+    const Number when = kicks_.next();
+    const auto changes = kicks_.take();
+    last_kick_ = last_change_ = when;
+    if (!has_start_) continue;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      Body<Dim>& body = bodies_[i];
+      body = motion_.moved(body, when);
+      body.velocity += changes[i];
+      // The mean of all changes is taken off, a sum of N rounded terms.
+      body.velocity_error += 64 * motion_.rounding() * (length(body.velocity) + length(changes[i]));
+    }
+  }
+}
+
+template <int Dim>
+Meeting<Dim> Replay<Dim>::meeting_at(const CollisionRow& row, Number time) {
+  if (const auto side = wall(row.j)) return motion_.wall_meeting(body(row.i), *side, time);
+  return motion_.meeting(body(row.i), body(row.j), time);
+}
+
+template <int Dim>
+void Replay<Dim>::observe(const CollisionRow& row, Findings& findings) {
+  kick_until(row.time);
+  if (!has_start_ || row.k != done_ + 1) {
+    ++coverage_.unreached;
+    last_.reset();
+    return;
+  }
+  done_ = row.k;
+  check_last_gap(row, findings);
+  const Meeting<Dim> meeting = meeting_at(row, row.time);
+  const bool is_in_doubt = is_beside_a_kick(row.time);
+  count(is_in_doubt ? Motion<Dim>::unknown : meeting.error);
+  const auto impulse = impulse_of(row, restitution_);
+  const bool is_known = meeting.error <= most_error && !is_in_doubt && impulse;
+  if (!is_known || !check(row, meeting, findings)) {
+    lose(row);
+  } else if (const auto side = wall(row.j)) {
+    bounce(row, *side);
+  } else {
+    collide(row, meeting, *impulse);
+  }
+  last_ = row;
+  last_change_ = row.time;
+}
+
+/// Whether the stored times do not tell if a collision came before a kick or after it.
+template <int Dim>
+bool Replay<Dim>::is_beside_a_kick(double time) const {
+  const Number distance = std::min<Number>(time - last_kick_, kicks_.next() - time);
+  return distance <= 4 * motion_.clock_error(time);
+}
+
+template <int Dim>
+void Replay<Dim>::count(Number error) {
+  if (!(error <= most_error)) {
+    ++coverage_.beyond;
+    return;
+  }
+  ++coverage_.replayed;
+  coverage_.within[0] += error <= 1e-9L;
+  coverage_.within[1] += error <= 1e-6L;
+}
+
+/// From now on nothing is known about the spheres of a collision.
+template <int Dim>
+void Replay<Dim>::lose(const CollisionRow& row) {
+  body(row.i).position_error = Motion<Dim>::unknown;
+  if (!wall(row.j)) body(row.j).position_error = Motion<Dim>::unknown;
+}
+
+/// Whether the spheres touch and approach as the row says.
+template <int Dim>
+bool Replay<Dim>::check(const CollisionRow& row, const Meeting<Dim>& meeting, Findings& findings) {
+  const std::string place =
+      fmt::format("collision {} of spheres {} and {} at time {}", row.k, row.i, row.j, row.time);
+  const Number bound = meeting.error + meeting.speed * motion_.clock_error(row.time);
+  const bool overlapped = (row.flags & collision_flag::overlap) != 0;
+  const double permitted =
+      overlapped ? deepest_permitted(values_.collision.overlap, values_.collision.guard, row.time)
+                 : 0.0;
+  if (meeting.gap > bound || meeting.gap < -(bound + permitted)) {
+    findings.add(fmt::format("{}: their gap is {:.3g} diameters there (0 within {:.2g})", place,
+                             static_cast<double>(meeting.gap), static_cast<double>(bound)));
+    return false;
+  }
+  if (!(std::abs(meeting.closing - row.normal_speed) <= meeting.closing_error)) {
+    findings.add(fmt::format("{}: normal_speed = {} (they approach at {:.17g} within {:.2g})",
+                             place, row.normal_speed, static_cast<double>(meeting.closing),
+                             static_cast<double>(meeting.closing_error)));
+    return false;
+  }
+  return true;
+}
+
+/// Compares the gap that the row before has for this pair.
+template <int Dim>
+void Replay<Dim>::check_last_gap(const CollisionRow& row, Findings& findings) {
+  if (!last_ || std::isnan(last_->gap)) return;
+  const Meeting<Dim> then = meeting_at(row, last_change_);
+  const Number bound = then.error + then.speed * motion_.clock_error(row.time) +
+                       4 * double_rounding * std::abs(then.gap);
+  const Number shortest = motion_.shortest_side();
+  const bool is_ambiguous = !wall(row.j) && then.gap > 0.45L * shortest - 1;  // which image?
+  if (!(bound <= most_error) || is_ambiguous) return;
+  if (std::abs(then.gap - last_->gap) <= bound) return;
+  findings.add(fmt::format(
+      "collision {}: gap = {} (spheres {} and {}, which collide next, are {:.6g} apart within "
+      "{:.2g})",
+      last_->k, last_->gap, row.i, row.j, static_cast<double>(then.gap),
+      static_cast<double>(bound)));
+}
+
+/// The velocities after a collision, by the logged normal speed, which is exact: errors grow by the
+/// direction of the normal only.
+template <int Dim>
+void Replay<Dim>::collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse) {
+  const Number growth = impulse * meeting.normal_error + 4 * motion_.rounding() * impulse;
+  for (const auto& [sphere, direction] : {std::pair{row.i, -1}, std::pair{row.j, 1}}) {
+    Body<Dim>& one = body(sphere);
+    one = motion_.moved(one, row.time);
+    one.velocity += meeting.normal * (direction * impulse);
+    one.position_error += impulse * motion_.clock_error(row.time);
+    one.velocity_error += growth + 2 * motion_.rounding() * length(one.velocity);
+  }
+}
+
+template <int Dim>
+void Replay<Dim>::bounce(const CollisionRow& row, int wall) {
+  const Case::Walls& walls = values_.walls;
+  const int axis = *motion_.closed_axis();
+  Body<Dim>& one = body(row.i);
+  one = motion_.moved(one, row.time);
+  one.position[axis] = wall == 0 ? 0.5L : motion_.sides()[axis] - 0.5L;
+  if (!(row.normal_speed > 0)) return;
+  const Precision precision = values_.collision.precision;
+  const Number outward = wall == 0 ? -1 : 1;
+  const Number restitution = in_precision(walls.restitution, precision);
+  const Number tangential = in_precision(walls.tangential_restitution, precision);
+  const Number before = length(one.velocity);
+  one.velocity[axis] = -outward * restitution * row.normal_speed;
+  for (int along = 0; along < Dim; ++along) {
+    if (along == axis) continue;
+    const double wall_speed = along != 0 ? 0.0 : wall == 0 ? walls.lower_speed : walls.upper_speed;
+    one.velocity[along] = (1 + tangential) * wall_speed - tangential * one.velocity[along];
+  }
+  const Number change = 2 * (before + length(one.velocity));
+  one.position_error += change * motion_.clock_error(row.time);
+  one.velocity_error += 4 * motion_.rounding() * change +
+                        length(motion_.acceleration()) * motion_.clock_error(row.time);
+}
+
+template <int Dim>
+void Replay<Dim>::compare(const Snapshot& snapshot, Findings& findings) {
+  ++coverage_.snapshots;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(bodies_.size()); ++i) {
+    compare_sphere(i, snapshot, findings);
+  }
+}
+
+template <int Dim>
+void Replay<Dim>::compare_sphere(std::int32_t i, const Snapshot& snapshot, Findings& findings) {
+  const Body<Dim> expected = motion_.moved(body(i), snapshot.time);
+  if (!(expected.position_error <= most_error)) {
+    ++coverage_.lost_spheres;
+    return;
+  }
+  ++coverage_.spheres;
+  Vector between = expected.position * Number(-1);
+  Vector velocity = expected.velocity * Number(-1);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const std::size_t at = static_cast<std::size_t>(i) * Dim + static_cast<std::size_t>(axis);
+    between[axis] += snapshot.positions[at];
+    velocity[axis] += snapshot.velocities[at];
+  }
+  Number boxes_up = 0;
+  const Number distance = length(motion_.nearest(between, snapshot.time, boxes_up));
+  velocity[0] -= motion_.image_velocity(boxes_up);
+  const Number speed = length(expected.velocity) + motion_.shear_rate() * motion_.longest_side();
+  const Number clock = 2 * motion_.clock_error(snapshot.time);
+  const Number bound = expected.position_error + motion_.storage_error() + speed * clock;
+  const Number velocity_bound = expected.velocity_error + 8 * double_rounding * speed +
+                                motion_.shear_rate() * bound +
+                                length(motion_.acceleration()) * clock;
+  // A run that ends at the time of a kick may have had it.
+  const bool is_kicked = kicks_.next() <= snapshot.time + static_cast<double>(clock);
+  if (!(distance <= bound)) {
+    findings.add(fmt::format(
+        "snapshot at collision {}: sphere {} is {:.3g} diameters from where the log leads it "
+        "(0 within {:.2g})",
+        snapshot.step, i, static_cast<double>(distance), static_cast<double>(bound)));
+  } else if (!is_kicked && !(length(velocity) <= velocity_bound)) {
+    findings.add(fmt::format(
+        "snapshot at collision {}: the velocity of sphere {} differs by {:.3g} from what the log "
+        "leads to (0 within {:.2g})",
+        snapshot.step, i, static_cast<double>(length(velocity)),
+        static_cast<double>(velocity_bound)));
+  }
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim) template class Replay<Dim>;
+ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere::verify

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "io/case.hpp"
+#include "io/records.hpp"
+#include "model/vec.hpp"
+#include "verify/findings.hpp"
+#include "verify/kicks.hpp"
+#include "verify/motion.hpp"
+
+namespace zenosphere::verify {
+
+/// How far a replay has been able to follow a log.
+struct Coverage {
+  std::int64_t replayed = 0;           ///< collisions checked against the motion
+  std::int64_t within[3] = {0, 0, 0};  ///< of these, bounds <= 1e-9, 1e-6, 1e-3 diameters
+  std::int64_t beyond = 0;             ///< rounding may have grown above 1e-3 diameters
+  std::int64_t unreached = 0;          ///< the log does not tell how one gets there
+  std::int64_t snapshots = 0;          ///< compared
+  std::int64_t spheres = 0;            ///< compared in them, each in each
+  std::int64_t lost_spheres = 0;       ///< not compared, since beyond
+};
+
+/// Follows a collision log from snapshot to snapshot with arithmetic of its own.
+///
+/// Everything is in the laboratory: straight (or falling) flights from one logged collision of a
+/// sphere to its next, the nearest image of a pair, the restitution law with the logged normal
+/// speed, and no search for events. Each sphere carries bounds on the errors of its position and
+/// velocity, to first order: the storage of the snapshot, the rounding of the engine at each event
+/// and that of the logged times, and their growth in flights and collisions. What is checked has to
+/// agree within the bounds; where they exceed 1e-3 diameters the motion cannot be predicted from
+/// what is stored, and nothing is said until the next snapshot.
+template <int Dim>
+class Replay {
+ public:
+  using Number = long double;
+
+  /// \param values  the case of the file
+  Replay(const Case& values, std::int64_t spheres);
+
+  /// Compares a snapshot with the state where the log has led to it, and goes on from it.
+  void observe(const Snapshot& snapshot, Findings& findings);
+
+  /// Checks a collision and does it. Rows come in the order of the log.
+  void observe(const CollisionRow& row, Findings& findings);
+
+  const Coverage& coverage() const { return coverage_; }
+
+ private:
+  using Vector = Vec<Dim, Number>;
+
+  Body<Dim>& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
+  std::optional<int> wall(std::int32_t j) const;
+  void start(const Snapshot& snapshot);
+  void compare(const Snapshot& snapshot, Findings& findings);
+  void compare_sphere(std::int32_t i, const Snapshot& snapshot, Findings& findings);
+  void kick_until(double time);
+  bool is_beside_a_kick(double time) const;
+  Meeting<Dim> meeting_at(const CollisionRow& row, Number time);
+  bool check(const CollisionRow& row, const Meeting<Dim>& meeting, Findings& findings);
+  void check_last_gap(const CollisionRow& row, Findings& findings);
+  void collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse);
+  void bounce(const CollisionRow& row, int wall);
+  void count(Number error);
+  void lose(const CollisionRow& row);
+
+  static constexpr Number most_error = 1e-3L;  ///< diameters; what is checked is better than this
+
+  const Case& values_;
+  Motion<Dim> motion_;
+  Number restitution_;
+  std::vector<Body<Dim>> bodies_;  ///< each at its last event
+  Kicks<Dim> kicks_;
+  bool has_start_ = false;
+  std::int64_t done_ = -1;            ///< collisions that the state knows; -1: it is not known
+  std::optional<CollisionRow> last_;  ///< the row before, if it is part of the state
+  Number last_change_ = 0;            ///< time of the last collision or kick
+  Number last_kick_ = -1;
+  Coverage coverage_;
+};
+
+}  // namespace zenosphere::verify

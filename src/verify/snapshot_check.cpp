@@ -1,0 +1,196 @@
+#include "verify/snapshot_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "flow/overlaps.hpp"
+#include "io/case_box.hpp"
+
+namespace zenosphere::verify {
+namespace {
+
+/// Relative errors that sums over a long run may gather by rounding; the longest stay below 1e-11.
+constexpr double gathered_rounding = 1e-8;
+
+std::string place(const Snapshot& snapshot) {
+  return fmt::format("snapshot at collision {}, time {}", snapshot.step, snapshot.time);
+}
+
+}  // namespace
+
+SnapshotCheck::SnapshotCheck(const Case& values, double last_time)
+    : values_(values),
+      last_time_(last_time),
+      sides_(box_sides(values)),
+      acceleration_(values.gravity.acceleration),
+      closed_(closed_axis(values)) {
+  acceleration_.resize(sides_.size(), 0.0);
+}
+
+bool SnapshotCheck::observe(const Snapshot& snapshot, std::optional<double> dissipated,
+                            Findings& findings) {
+  if (!check_numbers(snapshot, findings)) return false;
+  check_box(snapshot, findings);
+  check_overlaps(snapshot, findings);
+  Sums sums = sums_of(snapshot, dissipated);
+  if (last_) {
+    if (sums.step < last_->step || sums.time < last_->time) {
+      findings.add(fmt::format("{}: comes after collision {}, time {}", place(snapshot),
+                               last_->step, last_->time));
+    }
+    check_momentum(sums, findings);
+    check_energy(sums, findings);
+  }
+  if (!first_) first_ = sums;
+  last_ = std::move(sums);
+  return true;
+}
+
+bool SnapshotCheck::check_numbers(const Snapshot& snapshot, Findings& findings) const {
+  const double latest = last_time_ + 1e-3 * (1 + last_time_);  // an overlap sets the clock back
+  if (!(snapshot.time >= 0 && snapshot.time <= latest && snapshot.step >= 0)) {
+    findings.add(
+        fmt::format("{}: is not within the run, which ends at {}", place(snapshot), last_time_));
+    return false;
+  }
+  const std::size_t dimension = sides_.size();
+  for (std::size_t at = 0; at < snapshot.positions.size(); ++at) {
+    const double position = snapshot.positions[at];
+    const bool is_inside = position >= 0 && position < sides_[at % dimension];
+    if (is_inside && std::isfinite(snapshot.velocities[at])) continue;
+    findings.add(fmt::format("{}: sphere {} is at {} with velocity {} along {} (0 <= {} < {})",
+                             place(snapshot), at / dimension, position, snapshot.velocities[at],
+                             axis_letter(static_cast<int>(at % dimension)),
+                             axis_letter(static_cast<int>(at % dimension)),
+                             sides_[at % dimension]));
+    return false;
+  }
+  return true;
+}
+
+void SnapshotCheck::check_box(const Snapshot& snapshot, Findings& findings) const {
+  const std::size_t dimension = sides_.size();
+  for (std::size_t row = 0; row < dimension; ++row) {
+    for (std::size_t column = 0; column < dimension; ++column) {
+      const double edge = snapshot.box_edges[row * dimension + column];
+      double expected = row == column ? sides_[row] : 0.0;
+      double bound = 1e-12 * sides_[row];
+      if (row == 1 && column == 0) {
+        const double slide = values_.drive.shear_rate * sides_[1] * snapshot.time;
+        expected = edge + std::remainder(slide - edge, sides_[0]);
+        bound = 1e-12 * (sides_[0] + slide);
+      }
+      if (std::abs(edge - expected) <= bound) continue;
+      findings.add(fmt::format("{}: box edge {}{} = {} (the case has {})", place(snapshot),
+                               axis_letter(static_cast<int>(row)),
+                               axis_letter(static_cast<int>(column)), edge, expected));
+    }
+  }
+}
+
+void SnapshotCheck::check_overlaps(const Snapshot& snapshot, Findings& findings) const {
+  const double offset = sides_.size() > 1 ? snapshot.box_edges[sides_.size()] : 0.0;
+  const Overlap overlap = deepest_overlap({snapshot.positions, sides_, offset, closed_});
+  const double permitted =
+      deepest_permitted(values_.collision.overlap, values_.collision.guard, snapshot.time);
+  if (overlap.depth <= permitted) return;
+  findings.add(fmt::format("{}: spheres {} and {} overlap by {:.3g} diameters (at most {:.3g})",
+                           place(snapshot), overlap.i, overlap.j, overlap.depth, permitted));
+}
+
+SnapshotCheck::Sums SnapshotCheck::sums_of(const Snapshot& snapshot,
+                                           std::optional<double> dissipated) const {
+  const std::size_t dimension = sides_.size();
+  Sums sums{.step = snapshot.step, .time = snapshot.time};
+  sums.momentum.assign(dimension, 0.0);
+  sums.dissipated = dissipated;
+  for (std::size_t at = 0; at < snapshot.positions.size(); ++at) {
+    const std::size_t axis = at % dimension;
+    double velocity = snapshot.velocities[at];
+    if (axis == 0 && dimension > 1) {
+      velocity -= values_.drive.shear_rate * (snapshot.positions[at + 1] - sides_[1] / 2);
+    }
+    sums.kinetic += velocity * velocity / 2;
+    sums.potential -= acceleration_[axis] * snapshot.positions[at];
+    sums.momentum[axis] += velocity;
+    sums.speeds += std::abs(velocity);
+  }
+  return sums;
+}
+
+/// Walls take momentum up; elsewhere only gravity and the profile change it.
+void SnapshotCheck::check_momentum(const Sums& sums, Findings& findings) const {
+  if (closed_) return;
+  const double time = sums.time - last_->time;
+  const auto spheres = static_cast<double>(values_.system.spheres);
+  const double scale = std::max(sums.speeds, last_->speeds);
+  for (std::size_t axis = 0; axis < sides_.size(); ++axis) {
+    const double pull = spheres * acceleration_[axis];
+    double expected = last_->momentum[axis] + pull * time;
+    if (axis == 0 && sides_.size() > 1) {
+      const double mean = last_->momentum[1] + spheres * acceleration_[1] * time / 2;
+      expected -= values_.drive.shear_rate * mean * time;
+    }
+    const double change = sums.momentum[axis] - expected;
+    if (std::abs(change) <= gathered_rounding * scale) continue;
+    findings.add(
+        fmt::format("snapshot at collision {}: momentum along {} differs by {:.3g} from "
+                    "that of the snapshot before (of speeds that sum up to {:.3g})",
+                    sums.step, axis_letter(static_cast<int>(axis)), change, scale));
+  }
+}
+
+/// Whether the log tells every change of energy: nothing drives the spheres but gravity between
+/// walls, where the way that they fall can be read from the snapshots.
+bool SnapshotCheck::energy_is_closed() const {
+  for (std::size_t axis = 0; axis < acceleration_.size(); ++axis) {
+    if (acceleration_[axis] != 0 && closed_ != static_cast<int>(axis)) return false;
+  }
+  const bool is_sheared = values_.drive.kind == DriveKind::shear && values_.drive.shear_rate > 0;
+  return !is_sheared && values_.drive.kind != DriveKind::random;
+}
+
+void SnapshotCheck::check_energy(const Sums& sums, Findings& findings) {
+  if (!energy_is_closed() || !sums.dissipated || !last_->dissipated) return;
+  ++balances_;
+  const double lost = *sums.dissipated - *last_->dissipated;
+  const double change = sums.kinetic + sums.potential - (last_->kinetic + last_->potential);
+  const double scale = std::max({sums.kinetic, last_->kinetic, std::abs(sums.potential), lost});
+  if (std::abs(change + lost) <= gathered_rounding * scale) return;
+  findings.add(
+      fmt::format("snapshot at collision {}: energy has changed by {:.12g} since the "
+                  "snapshot before (the collisions of the log take {:.12g})",
+                  sums.step, change, lost));
+}
+
+void SnapshotCheck::compare(const Summary& summary, Findings& findings) const {
+  if (!last_) return;
+  if (summary.collisions != last_->step || summary.time != last_->time) {
+    findings.add(fmt::format("summary: collisions = {}, time = {} (the last snapshot has {}, {})",
+                             summary.collisions, summary.time, last_->step, last_->time));
+  }
+  if (!summary.averages || summary.averages->from_time != 0 || last_->time == 0) return;
+  const Averages& averages = *summary.averages;
+  double volume = last_->time;  // and the time
+  for (const double side : sides_) volume *= side;
+  const double work = (averages.shear_work + averages.other_work) * volume;
+  const double lost = averages.dissipation * volume;
+  const double change = last_->kinetic - first_->kinetic;
+  const double scale = std::max({last_->kinetic, first_->kinetic, std::abs(work), lost});
+  if (!(std::abs(change - work + lost) <= gathered_rounding * scale)) {
+    findings.add(
+        fmt::format("summary: work {:.12g} - dissipation {:.12g} (the snapshots' kinetic "
+                    "energy has changed by {:.12g})",
+                    work, lost, change));
+  }
+  const bool is_logged = last_->dissipated && first_->dissipated;
+  if (is_logged &&
+      !(std::abs(*last_->dissipated - *first_->dissipated - lost) <= gathered_rounding * scale)) {
+    findings.add(fmt::format("summary: dissipation {:.12g} in all (the log has {:.12g})", lost,
+                             *last_->dissipated - *first_->dissipated));
+  }
+}
+
+}  // namespace zenosphere::verify

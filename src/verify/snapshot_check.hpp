@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "io/case.hpp"
+#include "io/records.hpp"
+#include "io/summary.hpp"
+#include "verify/findings.hpp"
+
+namespace zenosphere::verify {
+
+/// Looks at each snapshot by itself and beside the one before: what must hold without following the
+/// motion, however long the time between them.
+class SnapshotCheck {
+ public:
+  /// \param last_time  that of the file: nothing happens later
+  SnapshotCheck(const Case& values, double last_time);
+
+  /// \param dissipated  energy lost in the collisions up to the snapshot, if the log tells
+  /// \return            whether a replay can begin here
+  bool observe(const Snapshot& snapshot, std::optional<double> dissipated, Findings& findings);
+
+  /// Compares the last snapshot with the summary, and the energy of the whole run with its
+  /// averages.
+  void compare(const Summary& summary, Findings& findings) const;
+
+  /// Whether energy has been balanced between snapshots, or over the whole run.
+  std::int64_t balances() const { return balances_; }
+
+ private:
+  struct Sums {
+    std::int64_t step = 0;
+    double time = 0;
+    double kinetic = 0;              ///< of the peculiar velocities, sum of v.v/2
+    double potential = 0;            ///< of gravity
+    std::vector<double> momentum{};  ///< peculiar, D
+    double speeds = 0;               ///< sum of |v| over all components
+    std::optional<double> dissipated{};
+  };
+
+  bool check_numbers(const Snapshot& snapshot, Findings& findings) const;
+  void check_box(const Snapshot& snapshot, Findings& findings) const;
+  void check_overlaps(const Snapshot& snapshot, Findings& findings) const;
+  void check_momentum(const Sums& sums, Findings& findings) const;
+  void check_energy(const Sums& sums, Findings& findings);
+  bool energy_is_closed() const;
+  Sums sums_of(const Snapshot& snapshot, std::optional<double> dissipated) const;
+
+  const Case& values_;
+  double last_time_;
+  std::vector<double> sides_;
+  std::vector<double> acceleration_;
+  std::optional<int> closed_;
+  std::optional<Sums> first_;
+  std::optional<Sums> last_;
+  std::int64_t balances_ = 0;
+};
+
+}  // namespace zenosphere::verify

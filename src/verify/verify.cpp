@@ -1,0 +1,200 @@
+#include "verify/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "collapse/verdict.hpp"
+#include "io/case_file.hpp"
+#include "io/rehearsal.hpp"
+#include "io/run_file.hpp"
+#include "io/summary.hpp"
+#include "model/errors.hpp"
+#include "verify/arrest_recount.hpp"
+#include "verify/log_check.hpp"
+#include "verify/snapshot_check.hpp"
+
+namespace zenosphere {
+namespace {
+
+using verify::Findings;
+
+constexpr std::int64_t rows_at_once = 65536;
+
+/// Calls `action(row)` for every row of the log.
+template <class Action>
+void for_each_row(const RunFile& file, Action action) {
+  const std::int64_t all = file.info().logged_collisions;
+  for (std::int64_t first = 0; first < all; first += rows_at_once) {
+    for (const auto& row : file.rows(first, std::min(rows_at_once, all - first))) action(row);
+  }
+}
+
+void read_everything(const std::filesystem::path& path) {
+  const RunFile file(path);
+  for (std::int64_t n = 0; n < file.info().snapshots; ++n) file.snapshot(n);
+  for_each_row(file, [](const CollisionRow&) {});
+}
+
+/// One file, looked at from its first collision to its last.
+template <int Dim>
+class Verifier {
+ public:
+  Verifier(const RunFile& file, const Case& values)
+      : file_(file),
+        values_(values),
+        replay_(values, file.info().spheres),
+        log_(values, file.info().spheres, file.info().last_time),
+        snapshots_(values, file.info().last_time),
+        arrest_(values) {}
+
+  Verification go() {
+    read_snapshot();
+    for_each_row(file_, [&](const CollisionRow& row) { observe(row); });
+    while (next_snapshot_) observe_snapshot();
+    if (file_.info().summary) compare_summary();
+    result_.collisions = file_.info().logged_collisions;
+    result_.coverage = replay_.coverage();
+    add_notes();
+    return std::move(result_);
+  }
+
+ private:
+  void read_snapshot() {
+    next_snapshot_.reset();
+    if (read_ < file_.info().snapshots) next_snapshot_ = file_.snapshot(read_++);
+  }
+
+  void observe_snapshot() {
+    // What the log has lost up to here is known only where it holds every collision up to here.
+    const bool is_known = log_.collisions() == next_snapshot_->step;
+    const auto dissipated = is_known ? log_.dissipated() : std::nullopt;
+    if (snapshots_.observe(*next_snapshot_, dissipated, result_.findings)) {
+      replay_.observe(*next_snapshot_, result_.findings);
+    }
+    read_snapshot();
+  }
+
+  void observe(const CollisionRow& row) {
+    while (next_snapshot_ && next_snapshot_->step < row.k) observe_snapshot();
+    const bool is_usable = log_.observe(row, result_.findings);
+    arrest_.observe(row, last_gap_);
+    last_gap_ = row.gap;
+    if (is_usable) replay_.observe(row, result_.findings);
+  }
+
+  void compare_summary() {
+    const Summary summary = summary_from_json(*file_.info().summary, Dim);
+    Findings& findings = result_.findings;
+    snapshots_.compare(summary, findings);
+    const bool is_met = summary.arrest.met;
+    const char* expected = word(verdict(summary.collisions, summary.separation.last_collision,
+                                        is_met, summary.arrest.window));
+    if (summary.verdict != expected) {
+      findings.add(
+          fmt::format("summary: verdict = {} (its counts mean {})", summary.verdict, expected));
+    }
+    if (!file_.info().log_complete) return;
+    log_.compare(summary, findings);
+    arrest_.compare(summary, findings);
+  }
+
+  void add_notes() {
+    const OutputInfo& info = file_.info();
+    auto& notes = result_.notes;
+    if (!info.complete) notes.push_back("the run is not finished: there is no summary to check");
+    if (info.complete && !info.log_complete) {
+      notes.push_back(
+          "the log does not hold every collision: hits, arrest and counts of the "
+          "summary were not counted again");
+    }
+    if (info.complete && info.log_complete) {
+      notes.push_back("hits, arrest, verdict and counts of the summary counted again from the log");
+    }
+    if (snapshots_.balances() > 0) {
+      notes.push_back(
+          fmt::format("energy balanced between {} pairs of snapshots", snapshots_.balances()));
+    }
+    if (values_.drive.kind == DriveKind::random) {
+      notes.push_back("kicks are not in the file; they were made again from the seed");
+    }
+  }
+
+  const RunFile& file_;
+  const Case& values_;
+  verify::Replay<Dim> replay_;
+  verify::LogCheck log_;
+  verify::SnapshotCheck snapshots_;
+  verify::ArrestRecount arrest_;
+  std::optional<Snapshot> next_snapshot_;
+  std::int64_t read_ = 0;
+  double last_gap_ = std::numeric_limits<double>::quiet_NaN();
+  Verification result_;
+};
+
+/// Throws where the case of a file is not that of its data, or asks for more than can be done.
+void require_fitting(const std::filesystem::path& path, const OutputInfo& info,
+                     const Case& values) {
+  if (values.system.spheres != info.spheres || values.system.dimension != info.dimension) {
+    throw InputError(fmt::format(
+        "{}: has {} spheres in {} dimensions (its case has {} in {}); it is damaged", path.string(),
+        info.spheres, info.dimension, values.system.spheres, values.system.dimension));
+  }
+  // Some hours; no run has made as many.
+  constexpr double most_kicks = 1e12;
+  const double kicks =
+      values.drive.kind == DriveKind::random ? info.last_time / values.drive.kick_interval : 0.0;
+  if (std::isfinite(info.last_time) && kicks * static_cast<double>(info.spheres) <= most_kicks) {
+    return;
+  }
+  throw InputError(
+      fmt::format("{}: ends at time {} (that is {:.3g} kicks of {} spheres, too many "
+                  "to make again)",
+                  path.string(), info.last_time, kicks, info.spheres));
+}
+
+}  // namespace
+
+Verification verify_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path, ignored));
+  rehearse(path, std::max<std::int64_t>(bytes, 0), [&] { read_everything(path); });
+  const RunFile file(path);
+  const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
+  require_fitting(path, file.info(), values);
+  switch (file.info().dimension) {
+    case 1:
+      return Verifier<1>(file, values).go();
+    case 2:
+      return Verifier<2>(file, values).go();
+    default:
+      return Verifier<3>(file, values).go();
+  }
+}
+
+std::string to_text(const Verification& verification, const std::string& file) {
+  std::string text;
+  for (const auto& finding : verification.findings.texts()) {
+    text += fmt::format("{}: {}\n", file, finding);
+  }
+  const std::int64_t found = verification.findings.count();
+  const auto kept = static_cast<std::int64_t>(verification.findings.texts().size());
+  if (found > kept) text += fmt::format("{}: and {} more\n", file, found - kept);
+  const verify::Coverage& coverage = verification.coverage;
+  text += found == 0 ? "No contradiction found.\n\n" : "The file contradicts itself.\n\n";
+  text += fmt::format("  logged collisions       {}\n", verification.collisions);
+  text +=
+      fmt::format("  replayed                {} (to 1e-9 diameters {}, to 1e-6 {}, to 1e-3 all)\n",
+                  coverage.replayed, coverage.within[0], coverage.within[1]);
+  text += fmt::format("  beyond predictability   {}\n", coverage.beyond);
+  text += fmt::format("  without a way there     {}\n", coverage.unreached);
+  text += fmt::format("  snapshots compared      {} ({} spheres, {} more beyond predictability)\n",
+                      coverage.snapshots, coverage.spheres, coverage.lost_spheres);
+  for (const std::string& note : verification.notes) text += fmt::format("  {}\n", note);
+  return text;
+}
+
+}  // namespace zenosphere

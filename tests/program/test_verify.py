@@ -1,0 +1,178 @@
+"""`zenosphere verify`: sound files pass, and each kind of damage is found and named."""
+
+import json
+
+import h5py
+import numpy as np
+import pytest
+
+from conftest import CHECKOUT
+
+EVERYTHING = ["--set", "output.snapshot_interval=0.05"]
+
+
+@pytest.fixture
+def finished(program):
+    """A sheared run of 108 spheres, 2000 collisions and some ten snapshots."""
+    program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING)
+    return program.folder / "out.h5"
+
+
+def findings(program, *words, code=2):
+    """The lines about contradictions."""
+    told = program("verify", "out.h5", *words, code=code).stdout
+    return [line for line in told.splitlines() if line.startswith("out.h5: ")]
+
+
+def replayed(program, file="out.h5"):
+    """How many collisions could be followed."""
+    for line in program("verify", file).stdout.splitlines():
+        if line.startswith("  replayed"):
+            return int(line.split()[1])
+    raise AssertionError("nothing is said about the replay")
+
+
+def changed(file, dataset, index, change):
+    with h5py.File(file, "r+") as run:
+        run[dataset][index] = change(run[dataset][index])
+
+
+def with_summary(file, **changes):
+    """Writes other values into the summary; a value that is a dict changes part of an object."""
+    with h5py.File(file, "r+") as run:
+        summary = json.loads(run["zenosphere/summary"][()])
+        for key, value in changes.items():
+            summary[key] = summary[key] | value if isinstance(value, dict) else value
+        del run["zenosphere/summary"]
+        run["zenosphere/summary"] = json.dumps(summary)
+
+
+def without_row(file, row, renumbered):
+    """Takes a row out of the log, with its number or as if it had never been."""
+    with h5py.File(file, "r+") as run:
+        for column in run["collisions"].values():
+            values = np.delete(column[()], row)
+            column.resize(values.shape)
+            column[:] = values
+        if renumbered:
+            run["collisions/k"][:] = np.arange(1, len(run["collisions/k"]) + 1)
+
+
+def test_every_collision_of_a_sound_file_is_replayed(program, finished):
+    assert replayed(program) == 2000
+    assert findings(program, code=0) == []
+
+
+def test_one_gap(program, finished):
+    changed(finished, "collisions/gap", 700, lambda gap: gap + 1e-9)
+    assert [line.split(" (")[0].split(": gap")[0] for line in findings(program)] == [
+        "out.h5: collision 701"]
+
+
+def test_one_index(program, finished):
+    with h5py.File(finished) as run:
+        i, j = run["collisions/i"][700], run["collisions/j"][700]
+    other = next(n for n in range(i + 1, 108) if n != j)
+    changed(finished, "collisions/j", 700, lambda _: other)
+    assert findings(program)[0].startswith("out.h5: collision 700: gap")  # of the pair that follows
+    assert findings(program)[1].startswith(f"out.h5: collision 701 of spheres {i} and {other}")
+
+
+def test_an_index_that_no_sphere_has(program, finished):
+    changed(finished, "collisions/j", 700, lambda _: 5000)
+    assert "collision 701: i = " in findings(program)[0]
+
+
+def test_one_time(program, finished):
+    changed(finished, "collisions/time", 700, lambda time: time * (1 + 1e-9))
+    assert "collision 701" in "".join(findings(program))
+
+
+def test_one_normal_speed(program, finished):
+    changed(finished, "collisions/normal_speed", 700, lambda speed: speed * (1 + 1e-9))
+    assert "collision 701" in findings(program)[0] and "normal_speed" in findings(program)[0]
+
+
+def test_one_flag(program, finished):
+    changed(finished, "collisions/flags", 700, lambda flags: flags ^ 1)
+    assert "collision 701: gap" in findings(program)[0]
+
+
+@pytest.mark.parametrize("dataset", ["position", "velocity"])
+def test_one_component_in_a_snapshot(program, finished, dataset):
+    changed(finished, f"particles/spheres/{dataset}/value", (3, 17, 1), lambda value: value + 1e-9)
+    assert "sphere 17" in findings(program)[0]
+
+
+def test_a_missing_row(program, finished):
+    without_row(finished, 700, renumbered=False)
+    assert findings(program)[0].startswith("out.h5: collision 702: follows 700 in the log")
+
+
+def test_a_missing_row_behind_which_all_are_renumbered(program, finished):
+    without_row(finished, 700, renumbered=True)
+    assert findings(program)[0].startswith("out.h5: collision 700: gap")
+
+
+@pytest.mark.parametrize("key, value", [("collisions", 1999), ("time", 0.1), ("verdict", "open"),
+                                        ("absorbed", 3), ("receding", 1)])
+def test_a_number_of_the_summary(program, finished, key, value):
+    with_summary(finished, **{key: value})
+    assert key in "".join(findings(program))
+
+
+@pytest.mark.parametrize("key, changes", [
+    ("arrest.pairs", {"pairs": [[0, 1]]}),
+    ("arrest.collision", {"collision": 1500}),
+    ("arrest.met", {"met": False, "collision": None}),
+    ("separation.hits", {"hits": 7}),
+    ("separation.first_collision", {"first_collision": 7}),
+])
+def test_criteria_of_a_collapse_are_counted_again(program, key, changes):
+    case = CHECKOUT / "examples" / "kadanoff-1999-bouncing-column.toml"
+    program("run", case, "--quiet", "-o", "out.h5")
+    assert findings(program, code=0) == []
+    with_summary(program.folder / "out.h5", **{key.split(".")[0]: changes})
+    assert key in "".join(findings(program))
+
+
+@pytest.mark.parametrize("name", ["shear-e02", "van-noije-1999-2d-random-driving",
+                                  "rough-walls-2d-shear", "mcnamara-young-1992-1d-cooling",
+                                  "kadanoff-1999-bouncing-ball", "haff-1983-cooling"])
+def test_drives_walls_gravity_and_dimensions(program, name):
+    program("run", CHECKOUT / "examples" / f"{name}.toml", "--quiet", "-o", "out.h5",
+            "--set", "run.collisions=3000", "--set", "output.collision_log=all")
+    with h5py.File(program.folder / "out.h5") as run:
+        assert replayed(program) == len(run["collisions/k"])
+
+
+@pytest.mark.parametrize("overlap", ["rewind", "immediate", "guarded", "stop"])
+@pytest.mark.parametrize("precision", ["double", "extended", "quad", "digits100"])
+def test_overlap_rules_and_precisions(program, overlap, precision):
+    program("run", "case.toml", "--quiet", "-o", "out.h5", "--set", "run.collisions=400",
+            "--set", "system.restitution=0.1", "--set", f"collision.overlap={overlap}",
+            "--set", f"collision.precision={precision}")
+    with h5py.File(program.folder / "out.h5") as run:
+        assert replayed(program) == len(run["collisions/k"]) > 0
+
+
+def test_beyond_predictability_nothing_is_claimed(program):
+    """Between two snapshots far apart rounding grows to the size of a sphere."""
+    program("run", "case.toml", "--quiet", "-o", "out.h5", "--set", "run.collisions=20000",
+            "--set", "system.restitution=1", "--set", "drive.kind=none")
+    told = program("verify", "out.h5").stdout
+    followed = replayed(program)
+    assert 108 * 5 < followed < 20000
+    assert f"beyond predictability   {20000 - followed}" in told
+
+
+def test_a_windowed_log_is_replayed_from_the_snapshot_before_it(program):
+    program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING, "--set",
+            "output.collision_log=window", "--set", "output.log_first=500", "--set",
+            "output.log_last=1500")
+    assert 0 < replayed(program) < 1001
+    assert "the log does not hold every collision" in program("verify", "out.h5").stdout
+
+
+def test_what_is_no_output_file_is_wrong_input(program):
+    assert "is not an HDF5 file" in program("verify", "case.toml", code=2).stderr

@@ -1,0 +1,82 @@
+#include "verify/replay.hpp"
+
+#include <gtest/gtest.h>
+
+namespace zenosphere::verify {
+namespace {
+
+/// Two disks in a box of 10 x 8, restitution 1/2.
+Case planar_case() {
+  Case values;
+  values.system = {.dimension = 2, .spheres = 2, .restitution = 0.5, .sides = {10, 8}};
+  return values;
+}
+
+// Disks at (1, 1) and (4, 1), the first with speed 1 along x: they touch at time 2, after which the
+// speeds are (1 - e)/2 = 1/4 and (1 + e)/2 = 3/4. At time 3 they are at 3 + 1/4
+// and 4 + 3/4.
+const Snapshot begin{0, 0, {1, 1, 4, 1}, {1, 0, 0, 0}, {10, 0, 0, 8}};
+const CollisionRow touch{1, 2, 0, 1, 0, 1, 0};
+const Snapshot end{1, 3, {3.25, 1, 4.75, 1}, {0.25, 0, 0.75, 0}, {10, 0, 0, 8}};
+
+std::int64_t contradictions(const Snapshot& first, const CollisionRow& row, const Snapshot& last,
+                            const Case& values = planar_case()) {
+  Replay<2> replay(values, 2);
+  Findings findings;
+  replay.observe(first, findings);
+  replay.observe(row, findings);
+  replay.observe(last, findings);
+  EXPECT_EQ(replay.coverage().snapshots, 1);
+  return findings.count();
+}
+
+TEST(Replay, FollowsACollisionThatIsRight) { EXPECT_EQ(contradictions(begin, touch, end), 0); }
+
+TEST(Replay, FindsAnotherTimePairSpeedOrRestitution) {
+  CollisionRow row = touch;
+  row.time += 1e-12;
+  EXPECT_GT(contradictions(begin, row, end), 0);
+  row = touch;
+  row.normal_speed -= 1e-12;
+  EXPECT_GT(contradictions(begin, row, end), 0);
+  Case softer = planar_case();
+  softer.system.restitution = 0.4999999;
+  EXPECT_GT(contradictions(begin, touch, end, softer), 0);
+}
+
+TEST(Replay, FindsASphereElsewhereOrWithAnotherVelocity) {
+  Snapshot moved = end;
+  moved.positions[3] += 1e-12;
+  EXPECT_EQ(contradictions(begin, touch, moved), 1);
+  Snapshot faster = end;
+  faster.velocities[1] += 1e-12;
+  EXPECT_EQ(contradictions(begin, touch, faster), 1);
+}
+
+TEST(Replay, MeetsTheImageBeyondASlidingFace) {
+  // Shear rate 1/4: the upper image of the box moves at 2 along x and is 2 ahead at time 1. The
+  // disk at (1, 0.25) is seen from above at (3 + 1, 8.25), where the other is at (4, 7.25).
+  Case values = planar_case();
+  values.drive = {.kind = DriveKind::shear, .shear_rate = 0.25};
+  const Snapshot first{0, 0, {1, 0.25, 4, 6.25}, {1, 0, 0, 1}, {10, 0, 0, 8}};
+  // Image of the first: at (2 + 2, 8.25) with velocity (1 + 2, 0); normal (0, -1) from it to the
+  // second, closing speed 1, impulse 3/4 each.
+  const CollisionRow row{1, 1, 0, 1, 0, 1, 0};
+  const Snapshot last{1, 1.5, {2.5, 0.625, 4, 7.375}, {1, 0.75, 0, 0.25}, {10, 0, 3, 8}};
+  EXPECT_EQ(contradictions(first, row, last, values), 0);
+}
+
+TEST(Replay, OfARowWithoutTheOneBeforeIsNotTried) {
+  const Case values = planar_case();
+  Replay<2> replay(values, 2);
+  Findings findings;
+  replay.observe(begin, findings);
+  CollisionRow row = touch;
+  row.k = 2;
+  replay.observe(row, findings);
+  EXPECT_EQ(replay.coverage().unreached, 1);
+  EXPECT_EQ(replay.coverage().replayed, 0);
+}
+
+}  // namespace
+}  // namespace zenosphere::verify
