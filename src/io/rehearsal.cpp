@@ -58,7 +58,7 @@ void confine(std::int64_t bytes) {
   limit(RLIMIT_AS, address_space() + 256 * mebibyte + 4 * bytes);
 #endif
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-  const itimerval soon{{0, 0}, {0, 250'000}};  // one input in forty makes HDF5 spin
+  const itimerval soon{{0, 0}, {0, 250'000}};  // many inputs make HDF5 spin
   setitimer(ITIMER_PROF, &soon, nullptr);
 #endif
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGXFSZ}) {
