@@ -228,12 +228,16 @@ LastSnapshot snapshot_of(const fs::path& path, int dimension, std::int64_t spher
 
 }  // namespace
 
+OutputInfo read_stored_info(const fs::path& path) {
+  rehearse(path, 0, [&] { info_of(path); });
+  return info_of(path);
+}
+
 OutputInfo read_output_info(const fs::path& path) {
   constexpr int tries = 3;  // a running run may put a new file in place between two looks
   for (int attempt = 1;; ++attempt) {
     const auto before = identity_of(path);
-    rehearse(path, 0, [&] { info_of(path); });
-    OutputInfo info = info_of(path);
+    OutputInfo info = read_stored_info(path);
     if (!info.checkpoint) return info;
     const bool fits = add_journal(path, info.basis, info);
     if (!fits && attempt < tries && identity_of(path) != before) continue;

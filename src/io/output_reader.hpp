@@ -52,6 +52,10 @@ struct LastSnapshot {
 /// format, or damaged.
 OutputInfo read_output_info(const std::filesystem::path& path);
 
+/// The same from the output file alone, whatever its journal holds: lengths are those of its
+/// datasets.
+OutputInfo read_stored_info(const std::filesystem::path& path);
+
 /// Reads the checkpoint in an output file, whatever its journal holds.
 ///
 /// Throws InputError as read_output_info does, and where the file holds no whole checkpoint.

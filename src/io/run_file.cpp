@@ -47,7 +47,7 @@ std::vector<T> column(const hdf5::Handle& file, const std::string& name, std::in
 
 }  // namespace
 
-RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_output_info(path)) {
+RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_stored_info(path)) {
   reading(path, [&] {
     // Numbers are stored as they are, so that a file cannot hold more of them than it has bytes.
     const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path));

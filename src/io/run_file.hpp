@@ -10,7 +10,8 @@
 
 namespace zenosphere {
 
-/// The content of an output file, snapshot by snapshot and in pieces of the collision log.
+/// The content of an output file, snapshot by snapshot and in pieces of the collision log; what its
+/// journal holds beyond it is not looked at.
 class RunFile {
  public:
   /// Throws InputError as read_output_info does, and where columns have different lengths.

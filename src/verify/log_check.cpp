@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "verify/law.hpp"
-
 namespace zenosphere::verify {
 namespace {
 
@@ -85,8 +83,9 @@ void LogCheck::check_order(const CollisionRow& row, Findings& findings) const {
 void LogCheck::check_flags(const CollisionRow& row, Findings& findings) const {
   const double threshold = values_.collapse.gap_threshold;
   const bool is_hit = row.gap <= threshold;
-  const bool rounded_onto_it = row.gap == threshold;  // a finer number may have been above it
-  if (is_hit != has(row, collision_flag::hit) && !rounded_onto_it) {
+  // A finer number may have been above it.
+  const bool is_open = row.gap >= threshold && row.gap <= loosest_threshold_;
+  if (is_hit != has(row, collision_flag::hit) && !is_open) {
     findings.add(fmt::format("collision {}: gap = {}, flags = {} (flag 1 is for gaps <= {})", row.k,
                              row.gap, row.flags, threshold));
   }
@@ -96,6 +95,12 @@ void LogCheck::check_flags(const CollisionRow& row, Findings& findings) const {
                     "recede)",
                     row.k, row.normal_speed, row.flags));
   }
+  if (has(row, collision_flag::made_elastic) && values_.collision.contact_duration == 0) {
+    findings.add(
+        fmt::format("collision {}: flags = {} (flag 32 is for contacts that last, and "
+                    "collision.contact_duration = 0)",
+                    row.k, row.flags));
+  }
 }
 
 void LogCheck::add(const CollisionRow& row) {
@@ -103,6 +108,7 @@ void LogCheck::add(const CollisionRow& row) {
   absorbed_ += has(row, collision_flag::absorbed);
   overlapped_ += has(row, collision_flag::overlap);
   receding_ += has(row, collision_flag::receding);
+  made_elastic_ += has(row, collision_flag::made_elastic);
   if (has(row, collision_flag::hit)) {
     if (++separation_.hits == 1) {
       separation_.first_collision = row.k;
@@ -110,12 +116,7 @@ void LogCheck::add(const CollisionRow& row) {
     }
     separation_.last_collision = row.k;
   }
-  if (!(row.normal_speed > 0)) return;
-  const bool is_wall = row.j >= spheres_;
-  const double e = is_wall ? values_.walls.restitution : values_.system.restitution;
-  const double speed = row.normal_speed;
-  // Two spheres: reduced mass 1/2. A wall does not give way.
-  dissipated_ += (1 - e * e) * speed * speed / (is_wall ? 2 : 4);
+  dissipated_ += law_.loss(row);
 }
 
 std::optional<double> LogCheck::dissipated() const {
@@ -129,6 +130,7 @@ void LogCheck::compare(const Summary& summary, Findings& findings) const {
   require_equal("absorbed", summary.absorbed, absorbed_, findings);
   require_equal("overlap_collisions", summary.overlap_collisions, overlapped_, findings);
   require_equal("receding", summary.receding, receding_, findings);
+  require_equal("contact.made_elastic", summary.contact.made_elastic, made_elastic_, findings);
   const auto& told = summary.separation;
   require_equal("separation.hits", told.hits, separation_.hits, findings);
   require_equal("separation.first_collision", told.first_collision, separation_.first_collision,

@@ -8,6 +8,7 @@
 #include "io/records.hpp"
 #include "io/summary.hpp"
 #include "verify/findings.hpp"
+#include "verify/law.hpp"
 
 namespace zenosphere::verify {
 
@@ -17,7 +18,15 @@ class LogCheck {
  public:
   /// \param last_time  that of the file: nothing happens later
   LogCheck(const Case& values, std::int64_t spheres, double last_time)
-      : values_(values), spheres_(spheres), last_time_(last_time) {}
+      : LogCheck(values, spheres, last_time, values.collapse.gap_threshold) {}
+
+  /// \param loosest_threshold  >= that of the case; gaps between the two may be hits or not
+  LogCheck(const Case& values, std::int64_t spheres, double last_time, double loosest_threshold)
+      : values_(values),
+        law_(values, spheres),
+        spheres_(spheres),
+        last_time_(last_time),
+        loosest_threshold_(loosest_threshold) {}
 
   /// \return  whether the row is one of this system, so that it can be replayed
   bool observe(const CollisionRow& row, Findings& findings);
@@ -37,14 +46,17 @@ class LogCheck {
   void add(const CollisionRow& row);
 
   const Case& values_;
+  Law law_;
   std::int64_t spheres_;
   double last_time_;
+  double loosest_threshold_;
   std::optional<CollisionRow> last_;
   Summary::Separation separation_;  ///< counted again
   std::int64_t collisions_ = 0;
   std::int64_t absorbed_ = 0;
   std::int64_t overlapped_ = 0;
   std::int64_t receding_ = 0;
+  std::int64_t made_elastic_ = 0;
   double dissipated_ = 0;
 };
 

@@ -7,7 +7,6 @@
 
 #include "flow/overlaps.hpp"
 #include "model/instantiate.hpp"
-#include "verify/law.hpp"
 
 namespace zenosphere::verify {
 namespace {
@@ -23,7 +22,7 @@ template <int Dim>
 Replay<Dim>::Replay(const Case& values, std::int64_t spheres)
     : values_(values),
       motion_(values, spheres),
-      restitution_(in_precision(values.system.restitution, values.collision.precision)),
+      law_(values, spheres),
       bodies_(static_cast<std::size_t>(spheres)),
       kicks_(values, spheres) {}
 
@@ -94,14 +93,15 @@ void Replay<Dim>::observe(const CollisionRow& row, Findings& findings) {
   const Meeting<Dim> meeting = meeting_at(row, row.time);
   const bool is_in_doubt = is_beside_a_kick(row.time);
   count(is_in_doubt ? Motion<Dim>::unknown : meeting.error);
-  const auto impulse = impulse_of(row, restitution_);
-  const bool is_known = meeting.error <= most_error && !is_in_doubt && impulse;
+  const bool is_known = meeting.error <= most_error && !is_in_doubt;
   if (!is_known || !check(row, meeting, findings)) {
     lose(row);
   } else if (const auto side = wall(row.j)) {
     bounce(row, *side);
-  } else {
+  } else if (const auto impulse = law_.impulse(row)) {
     collide(row, meeting, *impulse);
+  } else {
+    lose(row);
   }
   last_ = row;
   last_change_ = row.time;
@@ -117,7 +117,7 @@ bool Replay<Dim>::is_beside_a_kick(double time) const {
 template <int Dim>
 void Replay<Dim>::count(Number error) {
   if (!(error <= most_error)) {
-    ++coverage_.beyond;
+    ++(law_.tells_velocities() ? coverage_.beyond : coverage_.unreached);
     return;
   }
   ++coverage_.replayed;
@@ -174,11 +174,12 @@ void Replay<Dim>::check_last_gap(const CollisionRow& row, Findings& findings) {
       static_cast<double>(bound)));
 }
 
-/// The velocities after a collision, by the logged normal speed, which is exact: errors grow by the
-/// direction of the normal only.
+/// The velocities after a collision, by the logged normal speed: errors grow by the direction of
+/// the normal, the rounding of that speed, and that of the restitution law in the engine (some
+/// units in the last place of a number <= 1).
 template <int Dim>
 void Replay<Dim>::collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse) {
-  const Number growth = impulse * meeting.normal_error + 4 * motion_.rounding() * impulse;
+  const Number growth = impulse * meeting.normal_error + 8 * double_rounding * impulse;
   for (const auto& [sphere, direction] : {std::pair{row.i, -1}, std::pair{row.j, 1}}) {
     Body<Dim>& one = body(sphere);
     one = motion_.moved(one, row.time);
@@ -198,10 +199,9 @@ void Replay<Dim>::bounce(const CollisionRow& row, int wall) {
   if (!(row.normal_speed > 0)) return;
   const Precision precision = values_.collision.precision;
   const Number outward = wall == 0 ? -1 : 1;
-  const Number restitution = in_precision(walls.restitution, precision);
   const Number tangential = in_precision(walls.tangential_restitution, precision);
   const Number before = length(one.velocity);
-  one.velocity[axis] = -outward * restitution * row.normal_speed;
+  one.velocity[axis] = -outward * law_.restitution(row) * row.normal_speed;
   for (int along = 0; along < Dim; ++along) {
     if (along == axis) continue;
     const double wall_speed = along != 0 ? 0.0 : wall == 0 ? walls.lower_speed : walls.upper_speed;
@@ -209,8 +209,8 @@ void Replay<Dim>::bounce(const CollisionRow& row, int wall) {
   }
   const Number change = 2 * (before + length(one.velocity));
   one.position_error += change * motion_.clock_error(row.time);
-  one.velocity_error += 4 * motion_.rounding() * change +
-                        length(motion_.acceleration()) * motion_.clock_error(row.time);
+  one.velocity_error +=
+      4 * double_rounding * change + length(motion_.acceleration()) * motion_.clock_error(row.time);
 }
 
 template <int Dim>

@@ -9,6 +9,7 @@
 #include "model/vec.hpp"
 #include "verify/findings.hpp"
 #include "verify/kicks.hpp"
+#include "verify/law.hpp"
 #include "verify/motion.hpp"
 
 namespace zenosphere::verify {
@@ -71,7 +72,7 @@ class Replay {
 
   const Case& values_;
   Motion<Dim> motion_;
-  Number restitution_;
+  Law law_;
   std::vector<Body<Dim>> bodies_;  ///< each at its last event
   Kicks<Dim> kicks_;
   bool has_start_ = false;

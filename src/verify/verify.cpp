@@ -43,13 +43,15 @@ void read_everything(const std::filesystem::path& path) {
 template <int Dim>
 class Verifier {
  public:
-  Verifier(const RunFile& file, const Case& values)
+  /// \param loosest_threshold  of the separation criterion, in the coarsest precision of the run
+  Verifier(const RunFile& file, const Case& values, double loosest_threshold)
       : file_(file),
         values_(values),
         replay_(values, file.info().spheres),
-        log_(values, file.info().spheres, file.info().last_time),
+        log_(values, file.info().spheres, file.info().last_time, loosest_threshold),
         snapshots_(values, file.info().last_time),
-        arrest_(values) {}
+        arrest_(values),
+        was_raised_(loosest_threshold > values.collapse.gap_threshold) {}
 
   Verification go() {
     read_snapshot();
@@ -99,20 +101,37 @@ class Verifier {
     }
     if (!file_.info().log_complete) return;
     log_.compare(summary, findings);
-    arrest_.compare(summary, findings);
+    if (!was_raised_) arrest_.compare(summary, findings);
   }
 
   void add_notes() {
     const OutputInfo& info = file_.info();
     auto& notes = result_.notes;
-    if (!info.complete) notes.push_back("the run is not finished: there is no summary to check");
+    if (!info.complete) {
+      notes.push_back(
+          "the run is not finished: there is no summary to check, and a journal beside the file is "
+          "not looked at (zenosphere resume ends the run)");
+    }
     if (info.complete && !info.log_complete) {
       notes.push_back(
           "the log does not hold every collision: hits, arrest and counts of the "
           "summary were not counted again");
     }
     if (info.complete && info.log_complete) {
-      notes.push_back("hits, arrest, verdict and counts of the summary counted again from the log");
+      notes.push_back(
+          fmt::format("hits, {}verdict and counts of the summary counted again from the "
+                      "log",
+                      was_raised_ ? "" : "arrest, "));
+    }
+    if (was_raised_) {
+      notes.push_back(
+          "the precision is higher than in the case file: hits may follow the threshold of either, "
+          "and the arrest was not counted again");
+    }
+    if (values_.collision.rotation_angle > 0) {
+      notes.push_back(
+          "random rotation (collision.rotation_angle): the angles are not in the file, so that a "
+          "sphere is followed from a snapshot to its first collision only");
     }
     if (snapshots_.balances() > 0) {
       notes.push_back(
@@ -129,6 +148,7 @@ class Verifier {
   verify::LogCheck log_;
   verify::SnapshotCheck snapshots_;
   verify::ArrestRecount arrest_;
+  bool was_raised_;
   std::optional<Snapshot> next_snapshot_;
   std::int64_t read_ = 0;
   double last_gap_ = std::numeric_limits<double>::quiet_NaN();
@@ -156,6 +176,27 @@ void require_fitting(const std::filesystem::path& path, const OutputInfo& info,
                   path.string(), info.last_time, kicks, info.spheres));
 }
 
+/// The precision that a run began with, as far as its case file tells: `resume` can raise it.
+Precision first_precision(const OutputInfo& info, const Case& values) {
+  try {
+    const Case begun = parse_case(info.case_text, "case", {});
+    return std::min(begun.collision.precision, values.collision.precision);
+  } catch (const InputError&) {  // it was completed by overrides
+    return values.collision.precision;
+  }
+}
+
+template <int Dim>
+Verification verification_of(const RunFile& file, Case values) {
+  double loosest_threshold = values.collapse.gap_threshold;
+  const Precision first = first_precision(file.info(), values);
+  if (loosest_threshold == default_gap_threshold(values.collision.precision)) {
+    loosest_threshold = default_gap_threshold(first);
+  }
+  values.collision.precision = first;  // its rounding is in the state to the end
+  return Verifier<Dim>(file, values, loosest_threshold).go();
+}
+
 }  // namespace
 
 Verification verify_file(const std::filesystem::path& path) {
@@ -167,11 +208,11 @@ Verification verify_file(const std::filesystem::path& path) {
   require_fitting(path, file.info(), values);
   switch (file.info().dimension) {
     case 1:
-      return Verifier<1>(file, values).go();
+      return verification_of<1>(file, values);
     case 2:
-      return Verifier<2>(file, values).go();
+      return verification_of<2>(file, values);
     default:
-      return Verifier<3>(file, values).go();
+      return verification_of<3>(file, values);
   }
 }
 

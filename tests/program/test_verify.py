@@ -137,6 +137,8 @@ def test_criteria_of_a_collapse_are_counted_again(program, key, changes):
 
 
 @pytest.mark.parametrize("name", ["shear-e02", "van-noije-1999-2d-random-driving",
+                                  "luding-mcnamara-1998-tc-shear",
+                                  "brilliantov-poeschel-2000-viscoelastic-cooling",
                                   "rough-walls-2d-shear", "mcnamara-young-1992-1d-cooling",
                                   "kadanoff-1999-bouncing-ball", "haff-1983-cooling"])
 def test_drives_walls_gravity_and_dimensions(program, name):
@@ -154,6 +156,65 @@ def test_overlap_rules_and_precisions(program, overlap, precision):
             "--set", f"collision.precision={precision}")
     with h5py.File(program.folder / "out.h5") as run:
         assert replayed(program) == len(run["collisions/k"]) > 0
+
+
+LASTING = ["--set", "collision.contact_duration=0.02"]
+WALLED = ["--set", "drive.kind=none", "--set", "drive.shear_rate=0", "--set", "walls.axis=z",
+          "--set", "walls.restitution=0.8", "--set", "start.arrangement=random"]
+VISCOELASTIC = ["--set", "collision.restitution_law=viscoelastic", "--set",
+                "collision.viscoelastic_constant=0.3"]
+
+
+@pytest.mark.parametrize("words", [LASTING, VISCOELASTIC, [*LASTING, *VISCOELASTIC],
+                                   [*LASTING, *VISCOELASTIC, *WALLED]])
+def test_contact_models_are_replayed_and_counted(program, words):
+    if VISCOELASTIC[1] in words:
+        program.case.write_text(program.case.read_text().replace("restitution = 0.9\n", ""))
+    summary = program.run((), *EVERYTHING, *words, "-o", "out.h5")
+    assert replayed(program) == 2000
+    assert (summary["contact"]["made_elastic"] > 0) == (LASTING[1] in words)
+    with h5py.File(program.folder / "out.h5") as run:
+        elastic = run["collisions/flags"][()] & 32 != 0
+        row = int(np.flatnonzero(elastic)[-1]) if elastic.any() else 1000
+    changed(program.folder / "out.h5", "collisions/flags", row, lambda flags: flags ^ 32)
+    assert "contact.made_elastic" in "".join(findings(program))
+
+
+def test_viscoelastic_constant_of_another_run(program):
+    program.case.write_text(program.case.read_text().replace("restitution = 0.9\n", ""))
+    program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING, *VISCOELASTIC)
+    with h5py.File(program.folder / "out.h5", "r+") as run:
+        case = run["zenosphere/resolved"][()].decode()
+        assert "viscoelastic_constant = 0.3 " in case
+        del run["zenosphere/resolved"]
+        run["zenosphere/resolved"] = case.replace("_constant = 0.3 ", "_constant = 0.3000001 ")
+    assert findings(program) != []
+
+
+def test_after_a_random_rotation_nothing_is_claimed_of_a_sphere(program):
+    program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING, "--set",
+            "collision.rotation_angle=0.5")
+    assert 0 < replayed(program) < 2000
+    told = program("verify", "out.h5").stdout
+    assert "random rotation (collision.rotation_angle): the angles are not in the file" in told
+    assert "beyond predictability   0\n" in told
+
+
+def test_file_of_a_killed_run_passes_without_its_journal(program):
+    process = program.start({"output.checkpoint_collisions": 1000,
+                             "output.collision_log": "all"})
+    process.kill()
+    process.communicate()
+    assert findings(program, code=0) == []
+    assert "the run is not finished" in program("verify", "out.h5").stdout
+
+
+def test_run_that_went_on_in_more_digits_passes(program):
+    program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING)
+    program("resume", "out.h5", "--quiet", "--set", "run.collisions=2500", "--set",
+            "collision.precision=extended")
+    assert replayed(program) == 2500
+    assert "the precision is higher than in the case file" in program("verify", "out.h5").stdout
 
 
 def test_beyond_predictability_nothing_is_claimed(program):

@@ -1,0 +1,57 @@
+#include "verify/law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace zenosphere::verify {
+namespace {
+
+/// Two spheres between walls of restitution 3/4, restitution 1/2.
+Case between_walls() {
+  Case values;
+  values.system = {.dimension = 2, .spheres = 2, .restitution = 0.5, .sides = {10, 8}};
+  values.walls = {.axis = Axis::y, .restitution = 0.75};
+  return values;
+}
+
+constexpr CollisionRow pair{1, 1, 0, 1, 0, 2, 0};
+constexpr CollisionRow bounce{1, 1, 0, 3, 0, 2, 0};
+constexpr CollisionRow lasting_pair{1, 1, 0, 1, 0, 2, collision_flag::made_elastic};
+constexpr CollisionRow lasting_bounce{1, 1, 0, 3, 0, 2, collision_flag::made_elastic};
+
+TEST(Law, ContactsThatLastAreElasticWithSpheresAndWalls) {
+  const Law law(between_walls(), 2);
+  EXPECT_EQ(law.restitution(pair), 0.5L);
+  EXPECT_EQ(law.restitution(bounce), 0.75L);
+  EXPECT_EQ(law.restitution(lasting_pair), 1);
+  EXPECT_EQ(law.restitution(lasting_bounce), 1);
+  EXPECT_EQ(law.impulse(lasting_pair), 2);  // the relative velocity is reversed
+  EXPECT_EQ(law.loss(lasting_pair), 0);
+  EXPECT_EQ(law.loss(bounce), 0.875);  // (1 - 9/16) x 4 / 2
+}
+
+TEST(Law, ViscoelasticRestitutionIsThatOfTheLoggedSpeed) {
+  Case values = between_walls();
+  values.collision.restitution_law = RestitutionLaw::viscoelastic;
+  values.collision.viscoelastic_constant = 1e-4;
+  const Law law(values, 2);
+  // 1 - C1 A v^(1/5) with C1 = 1.1534488...; the next term is (3/5) (1.3e-4)^2 = 1e-8.
+  const long double first_order = 1 - 1.1534488580952884L * 1e-4L * std::pow(2.0L, 0.2L);
+  EXPECT_NEAR(static_cast<double>(law.restitution(pair) - first_order), 0, 2e-8);
+  EXPECT_LT(law.restitution(pair), 1);
+  EXPECT_EQ(law.restitution(bounce), 0.75L);
+  EXPECT_EQ(law.restitution(lasting_pair), 1);
+}
+
+TEST(Law, ARotationHidesTheDirectionOfTheImpulseButNotTheLoss) {
+  Case values = between_walls();
+  values.collision.rotation_angle = 0.5;
+  const Law law(values, 2);
+  EXPECT_FALSE(law.tells_velocities());
+  EXPECT_FALSE(law.impulse(pair));
+  EXPECT_EQ(law.loss(pair), 0.75);  // (1 - 1/4) x 4 / 4
+}
+
+}  // namespace
+}  // namespace zenosphere::verify
