@@ -73,29 +73,29 @@ std::optional<std::vector<Step>> steps_of(const std::vector<const Trial*>& ladde
   return steps;
 }
 
-/// Whether the clock slows down on the way to smaller gaps: each decade of gap takes at most half
-/// of the time that one took a step of the ladder before.
+/// Whether the hits of the rungs belong to one series that ends: each comes within a hundredth of
+/// the time between two collisions of a sphere of the one before, and on the last step each decade
+/// of gap takes at most a tenth of the time that it took on a step before.
 ///
-/// Where gaps shrink geometrically in time, c - t ~ gap^p, this is so whatever p; a gap that
-/// shrinks for ever takes the same time or more for each decade.
-bool converges(const std::vector<const Trial*>& ladder) {
+/// Where gaps shrink geometrically in time, c - t ~ gap^p, the time for a decade falls whatever p;
+/// a gap that shrinks for ever takes the same time or more for each. Nothing is told where the case
+/// has fixed the threshold: then the rungs do not differ in it.
+bool converges(const std::vector<const Trial*>& ladder, double time_between_collisions) {
   const auto steps = steps_of(ladder);
   if (!steps || steps->size() < 2) return false;
-  for (std::size_t k = 1; k < steps->size(); ++k) {
-    const double before = (*steps)[k - 1].change / (*steps)[k - 1].decades;
-    if (!((*steps)[k].change / (*steps)[k].decades <= before / 2)) return false;
+  double slowest = 0;  // time for a decade on the steps before the last one
+  for (const auto& [change, decades] : *steps) {
+    if (!(change < time_between_collisions / 100) || !(decades > 0)) return false;
+    if (&change != &steps->back().change) slowest = std::max(slowest, change / decades);
   }
-  return true;
+  return steps->back().change / steps->back().decades <= slowest / 10;
 }
 
-/// What is still missing in the time of the last hit, from c - t ~ gap^p and the last three rungs.
-double missing_time(const std::vector<Step>& steps) {
-  const auto [first, width] = steps[steps.size() - 2];
-  const auto [last, decades] = steps.back();
-  if (!(last > 0)) return 0;
-  const double p = std::log10((first + last) / last) / width;  // the last rung is all but there
-  const double rest = std::pow(10, -p * decades);
-  return last * rest / (1 - rest);
+/// A time as text, to two digits behind its error.
+std::string to_error(const std::string& time, double error) {
+  const double digits = error > 0 ? std::ceil(-std::log10(error)) + 1 : 100;
+  const auto end = time.find('.') + 1 + static_cast<std::size_t>(std::max(digits, 1.0));
+  return time.substr(0, end);
 }
 
 std::string names(const std::vector<const Trial*>& ladder) {
@@ -110,21 +110,16 @@ std::string names(const std::vector<const Trial*>& ladder) {
 std::string singularity(const std::vector<const Trial*>& ladder) {
   const Trial& top = *ladder.back();
   const Trial& next = *ladder[ladder.size() - 2];
-  const auto steps = steps_of(ladder).value();
-  std::string text = fmt::format(
-      "the hit stays in {}, and its time converges: the last step, from {} to {}, changes it by "
-      "{:.2g}",
-      names(ladder), word(next.precision), word(top.precision), steps.back().change);
-  if (top.collapse_time) {
-    text += fmt::format("; the flights add up to {}", *top.collapse_time);
-    if (next.collapse_time) {
-      text += fmt::format(" +- {:.1g}", apart(*top.collapse_time, *next.collapse_time));
-    }
-    return text;
+  const double step = steps_of(ladder).value().back().change;
+  const std::string rungs = fmt::format("{} to {}", word(next.precision), word(top.precision));
+  std::string text = fmt::format("the hit stays in {}, and its time converges", names(ladder));
+  if (top.collapse_time && next.collapse_time) {
+    const double error = apart(*top.collapse_time, *next.collapse_time);
+    return text + fmt::format("; the flights add up to {} +- {:.1g} (the change from {})",
+                              to_error(*top.collapse_time, error), error, rungs);
   }
-  const double missing = missing_time(steps);
-  return text + fmt::format("; collapse at {:.12g} +- {:.1g}",
-                            std::stod(*top.first_hit_time) + missing, missing);
+  return text + fmt::format("; collapse at {} +- {:.1g} (the change from {})",
+                            to_error(*top.first_hit_time, step), step, rungs);
 }
 
 /// What the run itself does.
@@ -156,7 +151,7 @@ void conclude(Adjudication& adjudication) {
   } else if (never) {
     adjudication.finding = Finding::chance_close_pair;
     adjudication.sentence = fmt::format("{}; in {} there is none", evidence, names(ladder));
-  } else if (always && converges(ladder)) {
+  } else if (always && converges(ladder, adjudication.time_between_collisions)) {
     adjudication.finding = Finding::finite_time_singularity;
     adjudication.sentence = fmt::format("{}; {}", singularity(ladder), evidence);
   } else if (run.arrest && !top.arrest) {

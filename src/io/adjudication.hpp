@@ -48,6 +48,7 @@ struct Adjudication {
   OverlapRule rule = OverlapRule::rewind;             ///< likewise
   std::int64_t hit = 0;                               ///< its first hit, a collision
   std::int64_t from = 0;                              ///< the state after so many collisions
+  double time_between_collisions = 0;                 ///< of one sphere, mean up to the hit
   std::vector<Trial> trials{};                        ///< the first is the run itself
   Finding finding = Finding::undecided;
   std::string sentence;  ///< the finding with its evidence

@@ -64,6 +64,7 @@ class Watched {
 
   std::optional<std::int64_t> first_hit() const { return separation_.first_collision(); }
   std::int64_t collisions() const { return simulation_.collisions(); }
+  double time() const { return simulation_.time(); }
 
   Trial trial() const {
     const auto text = [](const std::optional<Real>& number) {
@@ -159,6 +160,7 @@ constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 /// A state before the first hit of a run.
 struct Before {
   std::int64_t hit = 0;
+  double time = 0;  ///< of the hit
   std::int64_t collisions = 0;
   int digits = 0;  ///< of the numbers in `state`
   Bytes state{};
@@ -174,7 +176,8 @@ Before state_before_hit(const Case& values, const std::atomic<bool>* interrupt) 
         "or run.time, or choose another case",
         whole.collisions()));
   }
-  Before before{.hit = *whole.first_hit(), .digits = std::numeric_limits<Real>::digits};
+  Before before{
+      .hit = *whole.first_hit(), .time = whole.time(), .digits = std::numeric_limits<Real>::digits};
   const std::int64_t lead = std::max<std::int64_t>(values.system.spheres, 100);
   Watched<Dim, Real> again(values, interrupt);
   again.go(std::max<std::int64_t>(before.hit - lead, 0), kNoLimit);
@@ -218,6 +221,8 @@ Adjudication adjudicate(const Case& values, const AdjudicationLimits& limits) {
   });
   result.hit = before.hit;
   result.from = before.collisions;
+  result.time_between_collisions = before.time * static_cast<double>(values.system.spheres) /
+                                   static_cast<double>(2 * std::max<std::int64_t>(before.hit, 1));
   constexpr std::array rules{OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded,
                              OverlapRule::stop};
   const auto add = [&](Precision precision, OverlapRule rule) {
