@@ -84,7 +84,9 @@ def test_checkpoint_from_somebody_else_does_no_harm(program):
         (program.folder / "copy.h5").write_bytes((program.folder / "out.h5").read_bytes())
         done = program("resume", "copy.h5", "--quiet", "--set", "run.collisions=60", "--set",
                        "run.time=1e6", code=None)
-        assert done.returncode in (0, 2), done.stderr
+        # What still can be told from a possible state later, the run's own checks tell.
+        caught = done.returncode == 1 and "this cannot be right" in done.stderr
+        assert done.returncode in (0, 2) or caught, done.stderr
         assert done.returncode == 0 or done.stderr.startswith("copy.h5: ")
         codes.append(done.returncode)
     assert codes.count(2) > 3  # a cell, a partner, a length: where nonsense can be told
