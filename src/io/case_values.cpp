@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -8,6 +10,7 @@
 #include <utility>
 
 #include "io/case_table.hpp"
+#include "io/case_words.hpp"
 #include "io/spelling.hpp"
 
 namespace zenosphere::case_format {
@@ -45,6 +48,15 @@ const auto& words_of(OverlapRule) { return overlap_words; }
 const auto& words_of(Precision) { return precision_words; }
 const auto& words_of(RestitutionLaw) { return law_words; }
 const auto& words_of(CollisionLog) { return log_words; }
+
+template <class Choice>
+const char* word_for(Choice choice) {
+  const auto& words = words_of(choice);
+  const auto found = std::find_if(words.begin(), words.end(),
+                                  [choice](const auto& word) { return word.choice == choice; });
+  assert(found != words.end());
+  return found->text.data();  // a literal
+}
 
 /// Why a value cannot be stored; empty if it was.
 using Objection = std::optional<std::string>;
@@ -260,3 +272,10 @@ std::optional<std::string> toml_text(const Key& key, Case& values) {
 }
 
 }  // namespace zenosphere::case_format
+
+namespace zenosphere {
+
+const char* word(Precision precision) { return case_format::word_for(precision); }
+const char* word(OverlapRule rule) { return case_format::word_for(rule); }
+
+}  // namespace zenosphere
