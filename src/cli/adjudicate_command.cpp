@@ -1,0 +1,75 @@
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/interrupt.hpp"
+#include "io/case_file.hpp"
+#include "io/keep_adjudication.hpp"
+#include "io/output_reader.hpp"
+#include "run/adjudicate.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// What the user typed.
+struct Arguments {
+  std::string file;
+  std::vector<std::string> overrides;
+  bool json = false;
+  bool quiet = false;
+  Precision up_to = Precision::digits100;
+  std::int64_t collisions = 20000;
+};
+
+int adjudicate(const Arguments& arguments) {
+  const bool is_output = is_hdf5_file(arguments.file);
+  const Case values = is_output ? parse_case(read_output_info(arguments.file).resolved_case,
+                                             arguments.file, arguments.overrides)
+                                : read_case(arguments.file, arguments.overrides);
+  AdjudicationLimits limits{.highest = arguments.up_to,
+                            .collisions = arguments.collisions,
+                            .interrupt = &catch_signals()};
+  if (!arguments.quiet && is_terminal()) {
+    limits.on_trial = show_line;
+  }
+  const Adjudication result = adjudicate(values, limits);
+  if (limits.on_trial) clear_line();
+  if (is_output) keep_adjudication(arguments.file, to_json(result));
+  if (!arguments.quiet) print(to_text(result));
+  if (arguments.json) print(to_json(result) + '\n');
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_adjudicate(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand(
+      "adjudicate", "physics or rounding: replay a collapse with more digits and other rules");
+  command.add_option("file", arguments->file, "output file of a run, or a case file")
+      ->required()
+      ->type_name("OUT.h5|CASE.toml");
+  const std::map<std::string, Precision> ladder{{"double", Precision::double_precision},
+                                                {"extended", Precision::extended},
+                                                {"quad", Precision::quad},
+                                                {"digits100", Precision::digits100}};
+  command.add_option("--up-to", arguments->up_to, "highest precision to try")
+      ->transform(CLI::CheckedTransformer(ladder))
+      ->type_name("PRECISION")
+      ->default_str("digits100");
+  command.add_option("--collisions", arguments->collisions, "of each trial after the first hit")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52))
+      ->capture_default_str();
+  add_overrides(command, arguments->overrides);
+  command.add_flag("--json", arguments->json, "print the result as one JSON object");
+  command.add_flag("--quiet", arguments->quiet, "no progress, no table for people");
+  command.callback([arguments, &status] { status = adjudicate(*arguments); });
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,70 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "io/case_file.hpp"
+#include "io/derived.hpp"
+#include "io/info.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// What the user typed.
+struct Arguments {
+  std::string file;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+/// Every line behind a `#`, so that what `check` prints is a case file again.
+std::string as_comments(const std::string& text) {
+  std::string comments;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1);
+    comments += "# " + text.substr(begin, end + 1 - begin);
+    begin = end + 1;
+  }
+  return comments;
+}
+
+int check(const Arguments& arguments) {
+  const Case values = read_case(arguments.file, arguments.overrides);
+  print(resolved_toml(values) + '\n' + as_comments(derived_text(values)));
+  return exit_code::done;
+}
+
+int info(const Arguments& arguments) {
+  const OutputInfo info = read_output_info(arguments.file);
+  print(arguments.json ? to_json(info) + '\n' : to_text(info, arguments.file));
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command =
+      *app.add_subcommand("check", "validate a case; print resolved and derived values");
+  command.add_option("case", arguments->file, "case file")->required()->type_name("CASE.toml");
+  add_overrides(command, arguments->overrides);
+  command.callback([arguments, &status] { status = check(*arguments); });
+}
+
+void add_info(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command =
+      *app.add_subcommand("info", "print the summary of a finished or interrupted run");
+  command.add_option("file", arguments->file, "output file of a run")
+      ->required()
+      ->type_name("OUT.h5");
+  command.add_flag("--json", arguments->json, "print it as one JSON object");
+  command.callback([arguments, &status] { status = info(*arguments); });
+}
+
+}  // namespace zenosphere

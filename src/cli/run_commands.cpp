@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress_line.hpp"
+#include "io/case_file.hpp"
+#include "io/recovery.hpp"
+#include "model/errors.hpp"
+#include "run/resume.hpp"
+#include "run/run.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// What the user typed.
+struct Arguments {
+  std::string file;
+  std::optional<std::string> output;
+  std::vector<std::string> overrides;
+  bool json = false;
+  bool quiet = false;
+  bool overwrite = false;
+  bool fail_on_collapse = false;
+};
+
+RunOptions run_options(const Arguments& arguments) {
+  RunOptions options;
+  options.interrupt = &catch_signals();
+  options.output = arguments.output;
+  if (arguments.overwrite) options.existing = OutputFile::Existing::replace;
+  if (!arguments.quiet && is_terminal()) {
+    options.on_progress = [](const Progress& progress) { show_line(progress_line(progress)); };
+  }
+  return options;
+}
+
+int exit_code_of(const Summary& summary, const Arguments& arguments) {
+  if (summary.self_check) {
+    fmt::print(stderr, "{}: {}\n", arguments.file, *summary.self_check);
+    return exit_code::internal_error;
+  }
+  if (summary.outcome == "interrupted") return exit_code::interrupted;
+  if (arguments.fail_on_collapse && summary.verdict == "true") return exit_code::collapsed;
+  return exit_code::done;
+}
+
+/// Throws where the output cannot be meant as it was typed.
+void check_output(const Arguments& arguments) {
+  if (!arguments.output) return;
+  if (arguments.output->empty()) {
+    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
+  }
+  std::error_code ignored;  // what does not exist is not the case file
+  if (std::filesystem::equivalent(*arguments.output, arguments.file, ignored)) {
+    throw OutputError(*arguments.output + ": is the case file itself; choose another name");
+  }
+}
+
+/// Prints what came out and returns the exit code.
+int report(const Summary& summary, const Case& values, const Arguments& arguments) {
+  if (!arguments.quiet && is_terminal()) clear_line();
+  if (arguments.json) {
+    print(to_json(summary, values.system.dimension) + '\n');
+  } else if (!arguments.quiet) {
+    print(to_text(summary, values.system.dimension));
+  }
+  return exit_code_of(summary, arguments);
+}
+
+int run(const Arguments& arguments) {
+  check_output(arguments);
+  const Case values = read_case(arguments.file, arguments.overrides);
+  if (!arguments.quiet && !arguments.output) {
+    fmt::print(stderr, "{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
+               arguments.file);
+  }
+  return report(run_case(values, run_options(arguments)), values, arguments);
+}
+
+int resume(const Arguments& arguments) {
+  RecoveredOutput output = recover(arguments.file);
+  const Case values = case_to_resume(output, arguments.overrides);
+  const Summary summary = resume_case(values, std::move(output), run_options(arguments));
+  return report(summary, values, arguments);
+}
+
+void add_reporting(CLI::App& command, Arguments& arguments) {
+  command.add_flag("--json", arguments.json, "print the summary as one JSON object");
+  command.add_flag("--quiet", arguments.quiet, "no progress line, no summary for people");
+  command.add_flag("--fail-on-collapse", arguments.fail_on_collapse,
+                   "exit with 3 if the verdict is true");
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("run", "run a case and print what came out");
+  command.add_option("case", arguments->file, "case file")->required()->type_name("CASE.toml");
+  command.add_option("-o,--output", arguments->output, "keep collisions and snapshots here")
+      ->type_name("OUT.h5");
+  add_overrides(command, arguments->overrides);
+  add_reporting(command, *arguments);
+  command.add_flag("--overwrite", arguments->overwrite, "replace an existing output file");
+  command.callback([arguments, &status] { status = run(*arguments); });
+}
+
+void add_resume(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand(
+      "resume", "go on with a run that was cut off, or make a finished one longer");
+  command.add_option("file", arguments->file, "output file of a run")
+      ->required()
+      ->type_name("OUT.h5");
+  add_overrides(command, arguments->overrides);
+  add_reporting(command, *arguments);
+  command.callback([arguments, &status] { status = resume(*arguments); });
+}
+
+}  // namespace zenosphere
