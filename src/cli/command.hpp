@@ -19,6 +19,9 @@ void add_check(CLI::App& app, int& status);
 void add_info(CLI::App& app, int& status);
 void add_adjudicate(CLI::App& app, int& status);
 void add_verify(CLI::App& app, int& status);
+void add_sweep(CLI::App& app, int& status);
+/// The commands below `sweep` that look at a sweep without running it.
+void add_sweep_looks(CLI::App& sweep, int& status);
 
 /// Adds `--set KEY=VALUE`, which may be given any number of times.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides);

@@ -1,7 +1,6 @@
 #include "io/case_entries.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "io/case_limits.hpp"
+#include "io/case_toml.hpp"
 
 namespace zenosphere::case_format {
 namespace {
@@ -27,10 +27,6 @@ std::string shortened(std::string_view text) {
 bool is_bare(std::string_view part) {
   const auto bare = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
   return !part.empty() && std::all_of(part.begin(), part.end(), bare);
-}
-
-std::string key_part(const std::string& part) {
-  return shortened(is_bare(part) ? part : quoted(part));
 }
 
 /// An override as the command line has it, on one line whatever it holds.
@@ -57,8 +53,6 @@ std::optional<std::vector<double>> numbers_of(const toml::array& array) {
   return numbers;
 }
 
-Value value_of(const toml::node& node);
-
 Array::Item item_of(const toml::node& node) {
   if (const auto* array = node.as_array()) {
     if (auto numbers = numbers_of(*array)) return *std::move(numbers);
@@ -73,20 +67,6 @@ Array array_of(const toml::array& array) {
   result.items.reserve(array.size());
   for (const toml::node& node : array) result.items.push_back(item_of(node));
   return result;
-}
-
-Value value_of(const toml::node& node) {
-  if (const auto* boolean = node.as_boolean()) return boolean->get();
-  if (const auto* integer = node.as_integer()) return integer->get();
-  if (const auto* real = node.as_floating_point()) return real->get();
-  if (const auto* text = node.as_string()) return text->get();
-  if (const auto* array = node.as_array()) return array_of(*array);
-  if (node.is_table()) return Other{"{...}", "a table"};
-  return Other{"...", "a date or time"};
-}
-
-Place place_of(const toml::source_region& region, const std::string& name) {
-  return Place::in_file(name, region.begin.line, region.begin.column);
 }
 
 /// Throws where a file has so many keys that it is none of a case: each would be a problem.
@@ -125,30 +105,55 @@ std::optional<Value> toml_value(const std::string& text) {
 
 }  // namespace
 
-std::string Entry::key() const {
-  return table.empty() ? key_part(name) : key_part(table) + "." + key_part(name);
+Value value_of(const toml::node& node) {
+  if (const auto* boolean = node.as_boolean()) return boolean->get();
+  if (const auto* integer = node.as_integer()) return integer->get();
+  if (const auto* real = node.as_floating_point()) return real->get();
+  if (const auto* text = node.as_string()) return text->get();
+  if (const auto* array = node.as_array()) return array_of(*array);
+  if (node.is_table()) return Other{"{...}", "a table"};
+  return Other{"...", "a date or time"};
 }
 
-std::vector<Entry> entries_of(std::string_view text, const std::string& name) {
+Place place_of(const toml::source_region& region, const std::string& name) {
+  return Place::in_file(name, region.begin.line, region.begin.column);
+}
+
+std::string key_text(const std::string& part) {
+  return shortened(is_bare(part) ? part : quoted(part));
+}
+
+toml::table parsed_toml(std::string_view text, const std::string& name) {
   if (const auto excess = excess_in(text)) {
     throw InputError(
         fmt::format("{}: {}", Place::in_file(name, excess->line, 1).text, excess->what));
   }
-  std::vector<Entry> entries;
   try {
-    const toml::table root = toml::parse(text, std::string_view{});
-    for (auto&& [key, node] : root) {
-      require_few(entries.size(), name);
-      const Value value = node.is_table() ? Value(TableHead{}) : value_of(node);
-      entries.push_back({"", std::string(key.str()), value, place_of(key.source(), name),
-                         place_of(node.source(), name)});
-      if (const auto* table = node.as_table()) {
-        append_table(*table, std::string(key.str()), name, entries);
-      }
-    }
+    return toml::parse(text, std::string_view{});
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}: not valid TOML ({})", place_of(error.source(), name).text,
                                  lower_case_start(error.description())));
+  }
+}
+
+std::string Entry::key() const {
+  return table.empty() ? key_text(name) : key_text(table) + "." + key_text(name);
+}
+
+std::vector<Entry> entries_of(std::string_view text, const std::string& name,
+                              std::string_view within) {
+  const toml::table parsed = parsed_toml(text, name);
+  const toml::table* root = within.empty() ? &parsed : parsed[within].as_table();
+  std::vector<Entry> entries;
+  if (!root) return entries;
+  for (auto&& [key, node] : *root) {
+    require_few(entries.size(), name);
+    const Value value = node.is_table() ? Value(TableHead{}) : value_of(node);
+    entries.push_back({"", std::string(key.str()), value, place_of(key.source(), name),
+                       place_of(node.source(), name)});
+    if (const auto* table = node.as_table()) {
+      append_table(*table, std::string(key.str()), name, entries);
+    }
   }
   return entries;
 }
@@ -213,6 +218,35 @@ std::string shown(const Value& value) {
     if constexpr (std::is_arithmetic_v<Held>) return fmt::format("{}", held);
   };
   return std::visit(text, value);
+}
+
+namespace {
+
+std::string full_row(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + real_text(number);
+  return '[' + text + ']';
+}
+
+/// Rows on lines of their own: a line has a longest length.
+std::string full_array(const Array& array) {
+  std::string text;
+  for (const Array::Item& item : array.items) {
+    const auto* row = std::get_if<std::vector<double>>(&item);
+    if (!text.empty()) text += row ? ",\n" : ", ";
+    if (const auto* number = std::get_if<double>(&item)) text += real_text(*number);
+    if (row) text += full_row(*row);
+    if (const auto* other = std::get_if<std::string>(&item)) text += quoted(*other);
+  }
+  return '[' + text + ']';
+}
+
+}  // namespace
+
+std::string full_text(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+  if (const auto* array = std::get_if<Array>(&value)) return full_array(*array);
+  return shown(value);
 }
 
 std::string kind_of(const Value& value) {

@@ -41,9 +41,11 @@ struct Entry {
 /// The entries of a TOML text, tables in any order.
 ///
 /// \param text  the whole text, UTF-8
-/// \param name  what the places call it, as a rule the file's name
+/// \param name    what the places call it, as a rule the file's name
+/// \param within  a table at the root of the text that holds the case; empty: the whole text does
 /// Throws InputError, with line and column, if the text is not TOML.
-std::vector<Entry> entries_of(std::string_view text, const std::string& name);
+std::vector<Entry> entries_of(std::string_view text, const std::string& name,
+                              std::string_view within = "");
 
 /// The entries of command-line overrides, each `KEY=VALUE` with a dotted key.
 ///
@@ -55,8 +57,15 @@ std::vector<Entry> entries_of(std::span<const std::string> overrides, Problems& 
 /// numbers so that they read back to the same bits, with a point or an exponent.
 std::string shown(const Value& value);
 
+/// The same without cuts: a text that TOML reads as the value again. Single values and rows of
+/// numbers are JSON too.
+std::string full_text(const Value& value);
+
 /// `a number with a fraction`, `text`: the value's type in a message.
 std::string kind_of(const Value& value);
+
+/// One part of a key as TOML writes it, quoted where it would not take it bare; cut after 60 bytes.
+std::string key_text(const std::string& part);
 
 /// Text between quotes as TOML writes it, control characters escaped.
 std::string quoted(std::string_view text);

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/case_draft.hpp"
 #include "io/case_entries.hpp"
-#include "io/case_reader.hpp"
 #include "io/case_table.hpp"
 
 namespace zenosphere {
@@ -19,7 +19,9 @@ namespace {
 /// is larger is another file, named by mistake.
 constexpr std::size_t most_bytes = 16'777'216;
 
-std::string content_of(const std::filesystem::path& file) {
+}  // namespace
+
+std::string case_text(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code ignored;  // what does not exist fails to open, with the reason in errno
   if (std::filesystem::is_directory(file, ignored)) {
@@ -44,30 +46,17 @@ std::string content_of(const std::filesystem::path& file) {
   return content;
 }
 
-/// The absolute name of a file that a case names, from the directory of the case file.
-std::string resolved_path(const std::string& path, const std::string& case_name) {
-  const std::filesystem::path folder = std::filesystem::path(case_name).parent_path();
+std::string absolute_from(const std::string& name, const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
   return std::filesystem::absolute(folder / path).lexically_normal().string();
 }
 
-}  // namespace
-
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  return parse_case(content_of(file), file.string(), overrides);
+  return parse_case(case_text(file), file.string(), overrides);
 }
 
 Case parse_case(std::string text, const std::string& name, std::span<const std::string> overrides) {
-  case_format::Problems problems;
-  std::vector<case_format::Entry> entries = case_format::entries_of(text, name);
-  for (auto& entry : case_format::entries_of(overrides, problems)) {
-    std::erase_if(entries, [&](const auto& old) {
-      return old.table == entry.table && old.name == entry.name;
-    });
-    entries.push_back(std::move(entry));
-  }
-  Case values = case_format::case_of(entries, name, problems);
-  problems.throw_if_any();
-  if (!values.start.file.empty()) values.start.file = resolved_path(values.start.file, name);
+  Case values = CaseDraft(case_format::entries_of(text, name), name).with(overrides);
   values.text = std::move(text);
   return values;
 }

@@ -25,6 +25,12 @@ Case read_case(const std::filesystem::path& file, std::span<const std::string> o
 /// \param name  what the error messages call the text, as a rule its file
 Case parse_case(std::string text, const std::string& name, std::span<const std::string> overrides);
 
+/// The text of a case file: at most 16 MiB. Throws InputError where it cannot be read.
+std::string case_text(const std::filesystem::path& file);
+
+/// The absolute name of a file that another one names relative to its own folder.
+std::string absolute_from(const std::string& name, const std::string& path);
+
 /// A complete TOML text of a case: every key that has a value in it, defaults included, in the
 /// order of the reference page. parse_case makes the same case of it, bit for bit.
 std::string resolved_toml(const Case& values);

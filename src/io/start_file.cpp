@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <filesystem>
+#include <mutex>
 #include <string>
 
 #include "io/case_box.hpp"
@@ -135,6 +136,9 @@ GivenStart given_start(const Case& values) {
     start = {
         values.system.dimension, flat(values.start.positions), flat(values.start.velocities), {}};
   } else {
+    // HDF5 is not made for threads, and such a file is read in a copy of the process first.
+    static std::mutex one_at_a_time;
+    const std::lock_guard lock(one_at_a_time);
     start = is_hdf5_file(file) ? start_from_output(values, file) : start_from_text(values, file);
     require_equal_sides(start.sides, box_sides(values), where);
   }

@@ -1,0 +1,48 @@
+#include "campaign/show.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "campaign/run_case.hpp"
+#include "campaign/store.hpp"
+#include "io/case_file.hpp"
+#include "io/printable.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// Every SQLite file begins with these bytes.
+bool is_database(const std::string& file) {
+  constexpr std::string_view head("SQLite format 3\0", 16);
+  std::array<char, 16> begin{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()) == head;
+}
+
+std::string text_of(const Case& values, const std::string& file, std::int64_t run) {
+  return fmt::format("# Run {} of {}\n\n", run, printable(file)) + resolved_toml(values);
+}
+
+}  // namespace
+
+std::string case_text_of_run(const std::string& file, std::int64_t run) {
+  if (is_database(file)) {
+    Database database(file, Database::Access::read);
+    const StoredSweep sweep = stored_sweep(database);
+    const RunTask task = StoredRuns(database, sweep).run(run);
+    return text_of(case_of_run(sweep.base, sweep.stop, task.overrides), file, run);
+  }
+  const Sweep sweep = read_sweep(file);
+  if (run < 0 || run >= sweep.runs()) {
+    throw InputError(
+        fmt::format("--run {}: there is no such run in {} (0 to {})", run, file, sweep.runs() - 1));
+  }
+  return text_of(case_of_run(sweep.base, sweep.stop, overrides_of(sweep, run)), file, run);
+}
+
+}  // namespace zenosphere

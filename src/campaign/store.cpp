@@ -1,0 +1,158 @@
+#include "campaign/store.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "campaign/grid_rows.hpp"
+#include "campaign/run_columns.hpp"
+#include "io/build_info.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// A commit costs some tenths of a millisecond: as much as a tiny run.
+constexpr double seconds_between_commits = 0.1;
+
+std::vector<const case_format::Key*> keys_of(const StoredSweep& sweep) {
+  std::vector<const case_format::Key*> keys;
+  for (const StoredAxis& axis : sweep.axes) keys.push_back(axis.key);
+  return keys;
+}
+
+std::string done_sql() {
+  std::string sql = "UPDATE run SET status = 'done', error = NULL";
+  for (const ResultColumn& column : result_columns()) sql += fmt::format(", {} = ?", column.name);
+  return sql + " WHERE run = ?";
+}
+
+/// Throws where the pages of a file do not fit together.
+void require_whole(Database& database) {
+  const std::string verdict = cell_text(database.value("PRAGMA quick_check(1)"));
+  if (verdict == "ok") return;
+  throw OutputError(
+      fmt::format("{}: is damaged ({}); restore a copy of it, or begin another store "
+                  "with -o",
+                  database.name(), verdict));
+}
+
+}  // namespace
+
+RunCounts run_counts(Database& database) {
+  RunCounts counts;
+  Statement query = database.statement("SELECT status, count(*) FROM run GROUP BY status");
+  while (query.step()) {
+    const std::string& status = text_in(query.cell(0), database.name());
+    auto& count = status == "done"     ? counts.done
+                  : status == "failed" ? counts.failed
+                                       : counts.pending;
+    count += integer_in(query.cell(1), database.name());
+  }
+  return counts;
+}
+
+StoredRuns::StoredRuns(Database& database, const StoredSweep& sweep)
+    : name_(database.name()),
+      keys_(keys_of(sweep)),
+      pending_(database.statement(
+          fmt::format("SELECT run, seed{} FROM run WHERE run >= ? AND status = 'pending' ORDER BY "
+                      "run LIMIT ?",
+                      axis_columns(keys_)))),
+      single_(database.statement(
+          fmt::format("SELECT run, seed{} FROM run WHERE run = ?", axis_columns(keys_)))) {}
+
+std::vector<RunTask> StoredRuns::pending(std::int64_t from, std::int64_t count) {
+  std::vector<RunTask> tasks;
+  pending_.start(std::array<Cell, 2>{from, count});
+  while (pending_.step()) tasks.push_back(task_in_row(pending_));
+  pending_.reset();
+  return tasks;
+}
+
+RunTask StoredRuns::run(std::int64_t number) {
+  single_.start(std::array<Cell, 1>{number});
+  if (!single_.step()) {
+    throw InputError(fmt::format("--run {}: there is no such run in {}; they are numbered from 0",
+                                 number, name_));
+  }
+  RunTask task = task_in_row(single_);
+  single_.reset();
+  return task;
+}
+
+RunTask StoredRuns::task_in_row(Statement& query) const {
+  RunTask task{integer_in(query.cell(0), name_), {}};
+  task.overrides.push_back(fmt::format("start.seed={}", integer_in(query.cell(1), name_)));
+  for (std::size_t n = 0; n < keys_.size(); ++n) {
+    task.overrides.push_back(
+        override_of(*keys_[n], cell_text(query.cell(static_cast<int>(n) + 2))));
+  }
+  return task;
+}
+
+SweepStore::SweepStore(const std::filesystem::path& path, const Sweep& sweep)
+    : lock_(path), database_(path, Database::Access::write) {
+  const bool is_new = is_empty(database_);
+  if (!is_new) stored_sweep(database_);  // another program's file is left as it is
+  database_.execute("PRAGMA journal_mode = WAL");
+  database_.execute("PRAGMA synchronous = NORMAL");
+  if (is_new) {
+    Transaction transaction(database_);
+    create_tables(database_, sweep);
+    add_rows(database_, sweep, nullptr);
+    transaction.commit();
+  } else {
+    take_over(sweep);
+  }
+  sweep_ = stored_sweep(database_);
+  runs_.emplace(database_, *sweep_);
+  done_ = database_.statement(done_sql());
+  failed_ = database_.statement(
+      "UPDATE run SET status = 'failed', error = ?, program_version = ?, git_hash = ? WHERE run = "
+      "?");
+}
+
+void SweepStore::take_over(const Sweep& sweep) {
+  require_whole(database_);
+  const StoredSweep before = stored_sweep(database_);
+  require_same(before, sweep, name());
+  Transaction transaction(database_);
+  add_rows(database_, sweep, &before);
+  update_sweep(database_, sweep);
+  transaction.commit();
+}
+
+void SweepStore::forget_failures() {
+  database_.execute("UPDATE run SET status = 'pending', error = NULL WHERE status = 'failed'");
+}
+
+void SweepStore::record(const RunResult& result) {
+  if (std::holds_alternative<Dropped>(result.outcome)) return;
+  if (!transaction_) {
+    transaction_.emplace(database_);
+    since_begin_.emplace();
+  }
+  if (const auto* failure = std::get_if<Failure>(&result.outcome)) {
+    failed_->run(std::array<Cell, 4>{failure->error, std::string(build_info::program_version),
+                                     std::string(build_info::git_hash), result.run});
+    return;
+  }
+  const auto& summary = std::get<Summary>(result.outcome);
+  cells_.clear();
+  for (const ResultColumn& column : result_columns()) cells_.push_back(column.cell(summary));
+  cells_.emplace_back(result.run);
+  done_->run(cells_);
+}
+
+void SweepStore::commit() {
+  if (!transaction_) return;
+  transaction_->commit();
+  transaction_.reset();
+}
+
+void SweepStore::commit_if_due() {
+  if (transaction_ && since_begin_->seconds() >= seconds_between_commits) commit();
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,48 @@
+#include "campaign/store_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+
+#include <cerrno>
+#include <cstring>
+#include <optional>
+
+#include "model/errors.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+FileDescriptor opened(const std::filesystem::path& path, const std::filesystem::path& store) {
+  try {
+    return {path, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW};
+  } catch (const SystemError& error) {
+    throw OutputError(fmt::format("{}: cannot be written beside ({}: {}); choose another place",
+                                  store.string(), path.string(), error.what()));
+  }
+}
+
+}  // namespace
+
+StoreLock::StoreLock(const std::filesystem::path& store) : path_(store.string() + "-lock") {
+  // Another sweep may remove the file between our opening and locking it: then it is made anew.
+  do {
+    file_ = opened(path_, store);
+    if (flock(file_.id(), LOCK_EX | LOCK_NB) == 0) continue;
+    if (errno == EWOULDBLOCK) {
+      throw OutputError(store.string() +
+                        ": another sweep is writing to it; wait for its end or choose another "
+                        "store with -o");
+    }
+    throw OutputError(fmt::format("{}: cannot be locked ({}); choose another place", path_.string(),
+                                  std::strerror(errno)));
+  } while (identity_of(file_) != identity_of(path_));
+}
+
+StoreLock::~StoreLock() {
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "campaign/axis_reader.hpp"
+#include "campaign/grid_check.hpp"
+#include "campaign/sweep.hpp"
+#include "campaign/sweep_fields.hpp"
+#include "io/case_file.hpp"
+#include "io/spelling.hpp"
+
+namespace zenosphere {
+
+using case_format::Problems;
+using case_format::TreeNode;
+
+namespace {
+
+constexpr std::array<std::string_view, 4> tables{"sweep", "case", "axes", "stop"};
+
+/// The largest integer of TOML and SQLite.
+constexpr double most_integer = 0x1p63;
+
+/// What the tables of a sweep file say, before the base case is read.
+struct Told {
+  const TreeNode* inline_case = nullptr;
+  const TreeNode* sweep = nullptr;
+  std::optional<std::string> case_file;
+  std::int64_t seeds = 0;
+  std::int64_t master_seed = 1;
+  std::vector<SweepAxis> axes;
+  StopRule stop;
+};
+
+void read_sweep_table(const TreeNode& node, Told& told, Problems& problems) {
+  told.sweep = &node;
+  const std::array fields{
+      text_field("case", told.case_file),
+      count_field("seeds", told.seeds, {1, static_cast<double>(most_runs), true, ""}),
+      count_field("master_seed", told.master_seed, {0, most_integer, true, ""})};
+  read_fields(node, "sweep.", fields, problems);
+}
+
+void read_stop_table(const TreeNode& node, Told& told, Problems& problems) {
+  constexpr case_format::Range above_zero{0, 1e15, false, ""};
+  const std::array fields{
+      number_field("collisions_per_sphere", told.stop.collisions_per_sphere, above_zero),
+      number_field("wall_seconds", told.stop.wall_seconds, above_zero)};
+  read_fields(node, "stop.", fields, problems);
+}
+
+void read_node(const TreeNode& node, Told& told, Problems& problems) {
+  const bool is_known = std::find(tables.begin(), tables.end(), node.name) != tables.end();
+  if (!is_known) {
+    const auto meant = nearest(node.name, tables);
+    problems.add(node.key_place,
+                 fmt::format("unknown {} {}{}", node.is_table ? "table" : "key",
+                             case_format::key_text(node.name),
+                             meant ? fmt::format("; did you mean [{}]?", *meant) : ""));
+  } else if (!node.is_table) {
+    problems.add(node.value_place,
+                 fmt::format("{} = {} (is a table); give its keys under [{}]", node.name,
+                             case_format::shown(node.value), node.name));
+  } else if (node.name == "sweep") {
+    read_sweep_table(node, told, problems);
+  } else if (node.name == "axes") {
+    told.axes = axes_of(node, problems);
+  } else if (node.name == "stop") {
+    read_stop_table(node, told, problems);
+  } else {
+    told.inline_case = &node;
+  }
+}
+
+/// What must be there, and how much of it.
+void check_whole(const Told& told, const std::string& name, Problems& problems) {
+  const auto absent = case_format::Place::absent(name);
+  if (told.case_file && told.inline_case) {
+    problems.add(told.inline_case->key_place,
+                 "case (sweep.case names a file already); remove one of them");
+  }
+  if (!told.case_file && !told.inline_case) {
+    problems.add(absent, "missing the base case; add case = \"FILE.toml\" under [sweep]");
+  }
+  if (told.seeds == 0) {
+    problems.add(absent,
+                 "missing key sweep.seeds (runs at each point of the grid); add seeds = 10 "
+                 "under [sweep]");
+  }
+  double runs = static_cast<double>(told.seeds);
+  for (const SweepAxis& axis : told.axes) runs *= static_cast<double>(axis.size());
+  if (runs > static_cast<double>(most_runs)) {
+    problems.add(absent, fmt::format("{:.4g} runs (at most {}); give fewer values or seeds", runs,
+                                     most_runs));
+  }
+}
+
+CaseDraft base_of(const Told& told, const std::string& text, const std::string& name) {
+  if (!told.case_file) return {case_format::entries_of(text, name, "case"), name};
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+  const std::string file = (folder / *told.case_file).string();
+  return {case_format::entries_of(case_text(file), file), file};
+}
+
+/// The base case as a text that stands for itself: no comments, no seed, no key of an axis, and
+/// absolute names of files.
+std::string base_text_of(const CaseDraft& base, const std::vector<SweepAxis>& axes) {
+  std::string text;
+  for (const case_format::Entry& entry : base.entries()) {
+    if (std::holds_alternative<case_format::TableHead>(entry.value)) {
+      text += fmt::format("[{}]\n", entry.key());
+      continue;
+    }
+    const auto is_over_it = [&](const SweepAxis& axis) { return axis.path() == entry.key(); };
+    const bool is_varied = std::any_of(axes.begin(), axes.end(), is_over_it);
+    if (is_varied || entry.key() == "start.seed") continue;
+    case_format::Value value = entry.value;
+    auto* file = std::get_if<std::string>(&value);
+    if (file && entry.key() == "start.file") *file = absolute_from(base.name(), *file);
+    text +=
+        fmt::format("{} = {}\n", case_format::key_text(entry.name), case_format::full_text(value));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::int64_t Sweep::points() const {
+  std::int64_t points = 1;
+  for (const SweepAxis& axis : axes) points *= static_cast<std::int64_t>(axis.size());
+  return points;
+}
+
+Sweep parse_sweep(std::string text, const std::string& name) {
+  Problems problems;
+  Told told;
+  const std::vector<TreeNode> tree = case_format::tree_of(text, name, "case");
+  for (const TreeNode& node : tree) read_node(node, told, problems);
+  check_whole(told, name, problems);
+  problems.throw_if_any();
+  CaseDraft base = base_of(told, text, name);
+  std::string base_text = base_text_of(base, told.axes);
+  Sweep sweep{.name = name,
+              .text = std::move(text),
+              .base = std::move(base),
+              .base_text = std::move(base_text),
+              .axes = std::move(told.axes),
+              .seeds = told.seeds,
+              .master_seed = told.master_seed,
+              .stop = told.stop};
+  check_grid(sweep);
+  return sweep;
+}
+
+Sweep read_sweep(const std::filesystem::path& file) {
+  return parse_sweep(case_text(file), file.string());
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "campaign/campaign.hpp"
+#include "campaign/estimate.hpp"
+#include "campaign/thread_workers.hpp"
+#include "cli/command.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/sweep_text.hpp"
+#include "io/build_info.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// What the user typed.
+struct Arguments {
+  std::string file;
+  std::optional<std::string> store;
+  std::optional<std::size_t> threads;
+  bool dry_run = false;
+  bool retry_failed = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// The sweep file's name with another ending, in the current folder.
+std::string store_of(const Arguments& arguments) {
+  if (arguments.store) return *arguments.store;
+  return std::filesystem::path(arguments.file).filename().replace_extension(".sqlite").string();
+}
+
+int show_plan(const Arguments& arguments, const Sweep& sweep, std::size_t threads) {
+  const std::string store = store_of(arguments);
+  std::error_code ignored;
+  const bool is_there = std::filesystem::exists(store, ignored);
+  const SweepPlan plan =
+      plan_of(sweep, is_there ? std::optional(store) : std::nullopt, &catch_signals());
+  print(arguments.json ? plan_json(sweep, plan, threads) + '\n' : plan_text(sweep, plan, threads));
+  return exit_code::done;
+}
+
+void tell_of_other_program(const SweepStore& store) {
+  const StoredSweep& sweep = store.sweep();
+  if (sweep.git_hash == build_info::git_hash) return;
+  fmt::print(stderr,
+             "{}: was begun by zenosphere {} ({}), this is {} ({}); each run tells which one did "
+             "it\n",
+             store.name(), sweep.program_version, sweep.git_hash, build_info::program_version,
+             build_info::git_hash);
+}
+
+int exit_code_of(const SweepProgress& progress) {
+  if (progress.counts.pending > 0) return exit_code::interrupted;
+  return progress.counts.failed > 0 ? exit_code::internal_error : exit_code::done;
+}
+
+int run_runs(const Arguments& arguments, const Sweep& sweep, std::size_t threads) {
+  SweepOptions options{.interrupt = &catch_signals()};
+  SweepStore store(store_of(arguments), sweep);
+  tell_of_other_program(store);
+  if (arguments.retry_failed) store.forget_failures();
+  const bool shows_line = !arguments.quiet && is_terminal();
+  if (shows_line) {
+    options.on_progress = [](const SweepProgress& progress) { show_line(sweep_line(progress)); };
+  }
+  ThreadWorkers workers(store.setting(), threads);
+  const SweepProgress progress = run_sweep(store, workers, options);
+  if (shows_line) clear_line();
+  if (!arguments.quiet) print(progress_text(progress, store.name()));
+  if (arguments.json) print(progress_json(progress, store.name()) + '\n');
+  return exit_code_of(progress);
+}
+
+int sweep(const Arguments& arguments) {
+  if (arguments.file.empty()) {
+    throw InputError("sweep: which one? (no file is named); write zenosphere sweep SWEEP.toml");
+  }
+  const Sweep sweep = read_sweep(arguments.file);
+  const std::size_t threads = arguments.threads.value_or(usable_cores());
+  return arguments.dry_run ? show_plan(arguments, sweep, threads)
+                           : run_runs(arguments, sweep, threads);
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand(
+      "sweep", "run an ensemble over a grid of keys and seeds into one SQLite store");
+  command.add_option("file", arguments->file, "sweep file")->type_name("SWEEP.toml");
+  command.add_option("-o,--output", arguments->store, "the store; default: the file's name")
+      ->type_name("STORE.sqlite");
+  command.add_option("--threads", arguments->threads, "runs at the same time; default: all cores")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
+  command.add_flag("--dry-run", arguments->dry_run, "print the plan and how long it would take");
+  command.add_flag("--retry-failed", arguments->retry_failed, "run again what has failed");
+  command.add_flag("--json", arguments->json, "print what came out as one JSON object");
+  command.add_flag("--quiet", arguments->quiet, "no progress line, no summary for people");
+  add_sweep_looks(command, status);
+  command.callback([&command, arguments, &status] {
+    if (command.get_subcommands().empty()) status = sweep(*arguments);
+  });
+}
+
+}  // namespace zenosphere

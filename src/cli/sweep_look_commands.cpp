@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "campaign/csv.hpp"
+#include "campaign/show.hpp"
+#include "campaign/stored_sweep.hpp"
+#include "cli/command.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "model/errors.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// What the user typed.
+struct Arguments {
+  std::string file;
+  std::int64_t run = 0;
+  std::optional<std::string> output;
+};
+
+int show(const Arguments& arguments) {
+  print(case_text_of_run(arguments.file, arguments.run));
+  return exit_code::done;
+}
+
+int csv(const Arguments& arguments) {
+  Database database(arguments.file, Database::Access::read);
+  stored_sweep(database);
+  if (!arguments.output) {
+    write_csv(database, print);
+    return exit_code::done;
+  }
+  std::ofstream file(*arguments.output, std::ios::binary);
+  write_csv(database, [&](const std::string& text) { file << text; });
+  file.close();
+  if (!file) {
+    throw OutputError(*arguments.output + ": could not be written; choose another place");
+  }
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_sweep_looks(CLI::App& command, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& show_command =
+      *command.add_subcommand("show", "print the case file of one run, for zenosphere run");
+  show_command.add_option("file", arguments->file, "sweep file or store")
+      ->required()
+      ->type_name("SWEEP.toml|STORE.sqlite");
+  show_command.add_option("--run", arguments->run, "its number, from 0")
+      ->required()
+      ->type_name("N");
+  show_command.callback([arguments, &status] { status = show(*arguments); });
+
+  CLI::App& csv_command = *command.add_subcommand("csv", "write all rows of a store as CSV");
+  csv_command.add_option("file", arguments->file, "store of a sweep")
+      ->required()
+      ->type_name("STORE.sqlite");
+  csv_command.add_option("-o,--output", arguments->output, "write them here")
+      ->type_name("FILE.csv");
+  csv_command.callback([arguments, &status] { status = csv(*arguments); });
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,94 @@
+#include "cli/sweep_text.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/progress_line.hpp"
+#include "io/case_entries.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// The first and the last few values of an axis.
+std::string values_text(const SweepAxis& axis) {
+  constexpr std::size_t shown = 8;
+  std::string text;
+  for (std::size_t n = 0; n < axis.size(); ++n) {
+    if (n == shown && axis.size() > shown + 1) {
+      return fmt::format("{}, ... ({} values)", text, axis.size());
+    }
+    text += (n == 0 ? "" : ", ") + case_format::shown(axis.values[n].value);
+  }
+  return text;
+}
+
+std::string counts_json(const RunCounts& counts) {
+  return fmt::format("\"runs\": {}, \"done\": {}, \"failed\": {}, \"pending\": {}", counts.all(),
+                     counts.done, counts.failed, counts.pending);
+}
+
+}  // namespace
+
+std::string sweep_line(const SweepProgress& progress) {
+  const RunCounts& counts = progress.counts;
+  std::string line = fmt::format("{} of {} runs done  {} running  {} failed", counts.done,
+                                 counts.all(), progress.running, counts.failed);
+  if (progress.ended_here > 0) {
+    const double seconds_each = progress.wall_seconds / static_cast<double>(progress.ended_here);
+    const double left = seconds_each * static_cast<double>(counts.pending);
+    line += fmt::format("  {} left", duration_text(left));
+  }
+  return line;
+}
+
+std::string progress_text(const SweepProgress& progress, const std::string& store) {
+  const RunCounts& counts = progress.counts;
+  std::string text = fmt::format("{}: {} of {} runs done", store, counts.done, counts.all());
+  if (counts.failed > 0) {
+    text +=
+        fmt::format(", {} failed (column error; --retry-failed runs them again)", counts.failed);
+  }
+  text += fmt::format("; {} in {:.3g} s", progress.ended_here, progress.wall_seconds);
+  if (counts.pending > 0) text += "; interrupted: the same command goes on";
+  return text + '\n';
+}
+
+std::string progress_json(const SweepProgress& progress, const std::string& store) {
+  return fmt::format("{{\"store\": {}, {}, \"ended_here\": {}, \"wall_seconds\": {}}}",
+                     case_format::quoted(store), counts_json(progress.counts), progress.ended_here,
+                     progress.wall_seconds);
+}
+
+std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t threads) {
+  std::string text;
+  for (const SweepAxis& axis : sweep.axes) {
+    text += fmt::format("  {:<32}{}\n", axis.path(), values_text(axis));
+  }
+  text += fmt::format("  {:<32}{}\n", "points", sweep.points());
+  text += fmt::format("  {:<32}{}\n", "seeds at each", sweep.seeds);
+  text += fmt::format("  {:<32}{} ({} done, {} failed)\n", "runs", plan.counts.all(),
+                      plan.counts.done, plan.counts.failed);
+  text +=
+      fmt::format("  {:<32}{} on {} threads, at {:.3g} s a run {}\n", "time, at most about",
+                  duration_text(plan.seconds(threads)), threads, plan.seconds_per_run, plan.source);
+  return text;
+}
+
+std::string plan_json(const Sweep& sweep, const SweepPlan& plan, std::size_t threads) {
+  std::string axes;
+  for (const SweepAxis& axis : sweep.axes) {
+    std::string values;
+    for (const std::string& value : json_values(axis)) {
+      values += (values.empty() ? "" : ", ") + value;
+    }
+    axes += fmt::format("{}{}: [{}]", axes.empty() ? "" : ", ", case_format::quoted(axis.path()),
+                        values);
+  }
+  return fmt::format(
+      "{{\"axes\": {{{}}}, \"points\": {}, \"seeds\": {}, {}, \"threads\": {}, "
+      "\"seconds_per_run\": {}, \"seconds\": {}, \"source\": {}}}",
+      axes, sweep.points(), sweep.seeds, counts_json(plan.counts), threads, plan.seconds_per_run,
+      plan.seconds(threads), case_format::quoted(plan.source));
+}
+
+}  // namespace zenosphere
