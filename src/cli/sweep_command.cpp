@@ -2,12 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "campaign/campaign.hpp"
 #include "campaign/estimate.hpp"
+#include "campaign/launch.hpp"
+#include "campaign/mpi_workers.hpp"
 #include "campaign/thread_workers.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
@@ -37,13 +40,21 @@ std::string store_of(const Arguments& arguments) {
   return std::filesystem::path(arguments.file).filename().replace_extension(".sqlite").string();
 }
 
-int show_plan(const Arguments& arguments, const Sweep& sweep, std::size_t threads) {
+/// Those who do the runs: so many of them, made once the store tells what they share.
+struct Crew {
+  std::size_t size;
+  std::string kind;  ///< `threads`
+  std::function<std::unique_ptr<Workers>(RunSetting)> make;
+};
+
+int show_plan(const Arguments& arguments, const Sweep& sweep, const Crew& crew) {
   const std::string store = store_of(arguments);
   std::error_code ignored;
   const bool is_there = std::filesystem::exists(store, ignored);
   const SweepPlan plan =
       plan_of(sweep, is_there ? std::optional(store) : std::nullopt, &catch_signals());
-  print(arguments.json ? plan_json(sweep, plan, threads) + '\n' : plan_text(sweep, plan, threads));
+  print(arguments.json ? plan_json(sweep, plan, crew.size) + '\n'
+                       : plan_text(sweep, plan, crew.size, crew.kind));
   return exit_code::done;
 }
 
@@ -62,7 +73,7 @@ int exit_code_of(const SweepProgress& progress) {
   return progress.counts.failed > 0 ? exit_code::internal_error : exit_code::done;
 }
 
-int run_runs(const Arguments& arguments, const Sweep& sweep, std::size_t threads) {
+int run_runs(const Arguments& arguments, const Sweep& sweep, const Crew& crew) {
   SweepOptions options{.interrupt = &catch_signals()};
   SweepStore store(store_of(arguments), sweep);
   tell_of_other_program(store);
@@ -71,22 +82,52 @@ int run_runs(const Arguments& arguments, const Sweep& sweep, std::size_t threads
   if (shows_line) {
     options.on_progress = [](const SweepProgress& progress) { show_line(sweep_line(progress)); };
   }
-  ThreadWorkers workers(store.setting(), threads);
-  const SweepProgress progress = run_sweep(store, workers, options);
+  const auto workers = crew.make(store.setting());
+  const SweepProgress progress = run_sweep(store, *workers, options);
   if (shows_line) clear_line();
   if (!arguments.quiet) print(progress_text(progress, store.name()));
   if (arguments.json) print(progress_json(progress, store.name()) + '\n');
   return exit_code_of(progress);
 }
 
+int sweep(const Arguments& arguments, const Crew& crew) {
+  const Sweep sweep = read_sweep(arguments.file);
+  return arguments.dry_run ? show_plan(arguments, sweep, crew) : run_runs(arguments, sweep, crew);
+}
+
+int sweep_in_threads(const Arguments& arguments) {
+  const std::size_t threads = arguments.threads.value_or(usable_cores());
+  return sweep(arguments, {threads, "threads", [threads](RunSetting setting) {
+                             return std::make_unique<ThreadWorkers>(std::move(setting), threads);
+                           }});
+}
+
+int sweep_in_ranks(const Arguments& arguments) {
+  const MpiSession session;
+  if (session.rank() != 0) {
+    serve_runs(session, catch_signals());
+    return exit_code::done;
+  }
+  if (session.size() == 1) {
+    throw InputError(fmt::format(
+        "sweep: started as one of {} processes, but MPI sees only this one (a launcher of another "
+        "MPI); start it with the mpirun of the MPI it was built with, or srun --mpi=pmix",
+        launched_ranks()));
+  }
+  if (arguments.threads) {
+    throw InputError("--threads: is not for several processes (each has one); remove it");
+  }
+  return sweep(arguments, {static_cast<std::size_t>(session.size() - 1), "ranks",
+                           [&session](RunSetting setting) {
+                             return std::make_unique<MpiWorkers>(session, std::move(setting));
+                           }});
+}
+
 int sweep(const Arguments& arguments) {
   if (arguments.file.empty()) {
     throw InputError("sweep: which one? (no file is named); write zenosphere sweep SWEEP.toml");
   }
-  const Sweep sweep = read_sweep(arguments.file);
-  const std::size_t threads = arguments.threads.value_or(usable_cores());
-  return arguments.dry_run ? show_plan(arguments, sweep, threads)
-                           : run_runs(arguments, sweep, threads);
+  return launched_ranks() > 1 ? sweep_in_ranks(arguments) : sweep_in_threads(arguments);
 }
 
 }  // namespace

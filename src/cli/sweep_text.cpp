@@ -59,7 +59,8 @@ std::string progress_json(const SweepProgress& progress, const std::string& stor
                      progress.wall_seconds);
 }
 
-std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t threads) {
+std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t workers,
+                      const std::string& kind) {
   std::string text;
   for (const SweepAxis& axis : sweep.axes) {
     text += fmt::format("  {:<32}{}\n", axis.path(), values_text(axis));
@@ -68,13 +69,13 @@ std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t thr
   text += fmt::format("  {:<32}{}\n", "seeds at each", sweep.seeds);
   text += fmt::format("  {:<32}{} ({} done, {} failed)\n", "runs", plan.counts.all(),
                       plan.counts.done, plan.counts.failed);
-  text +=
-      fmt::format("  {:<32}{} on {} threads, at {:.3g} s a run {}\n", "time, at most about",
-                  duration_text(plan.seconds(threads)), threads, plan.seconds_per_run, plan.source);
+  text += fmt::format("  {:<32}{} on {} {}, at {:.3g} s a run {}\n", "time, at most about",
+                      duration_text(plan.seconds(workers)), workers, kind, plan.seconds_per_run,
+                      plan.source);
   return text;
 }
 
-std::string plan_json(const Sweep& sweep, const SweepPlan& plan, std::size_t threads) {
+std::string plan_json(const Sweep& sweep, const SweepPlan& plan, std::size_t workers) {
   std::string axes;
   for (const SweepAxis& axis : sweep.axes) {
     std::string values;
@@ -85,10 +86,10 @@ std::string plan_json(const Sweep& sweep, const SweepPlan& plan, std::size_t thr
                         values);
   }
   return fmt::format(
-      "{{\"axes\": {{{}}}, \"points\": {}, \"seeds\": {}, {}, \"threads\": {}, "
+      "{{\"axes\": {{{}}}, \"points\": {}, \"seeds\": {}, {}, \"workers\": {}, "
       "\"seconds_per_run\": {}, \"seconds\": {}, \"source\": {}}}",
-      axes, sweep.points(), sweep.seeds, counts_json(plan.counts), threads, plan.seconds_per_run,
-      plan.seconds(threads), case_format::quoted(plan.source));
+      axes, sweep.points(), sweep.seeds, counts_json(plan.counts), workers, plan.seconds_per_run,
+      plan.seconds(workers), case_format::quoted(plan.source));
 }
 
 }  // namespace zenosphere

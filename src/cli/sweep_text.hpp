@@ -15,8 +15,10 @@ std::string sweep_line(const SweepProgress& progress);
 std::string progress_text(const SweepProgress& progress, const std::string& store);
 std::string progress_json(const SweepProgress& progress, const std::string& store);
 
-/// What a sweep would do, for people and as one JSON object.
-std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t threads);
-std::string plan_json(const Sweep& sweep, const SweepPlan& plan, std::size_t threads);
+/// What a sweep would do with so many workers (`kind`: threads or ranks), for people and as one
+/// JSON object.
+std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t workers,
+                      const std::string& kind);
+std::string plan_json(const Sweep& sweep, const SweepPlan& plan, std::size_t workers);
 
 }  // namespace zenosphere
