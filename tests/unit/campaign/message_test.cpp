@@ -1,0 +1,55 @@
+#include "campaign/message.hpp"
+
+#include <gtest/gtest.h>
+
+#include "campaign/run_columns.hpp"
+
+namespace zenosphere {
+namespace {
+
+/// The columns of the store that a summary fills.
+std::vector<Cell> cells(const Summary& summary) {
+  std::vector<Cell> cells;
+  for (const ResultColumn& column : result_columns()) cells.push_back(column.cell(summary));
+  return cells;
+}
+
+TEST(Message, BringsEveryBitOfASummaryThatTheStoreKeeps) {
+  Summary summary;
+  summary.outcome = "collapsed";
+  summary.ended_by = "arrest";
+  summary.verdict = "true";
+  summary.collisions = 1234567890123;
+  summary.collisions_per_sphere = 1.0 / 3;
+  summary.time = 0x1.fffffffffffffp-1;
+  summary.separation = {3, 5, 0.1, 7};
+  summary.arrest.met = true;
+  summary.arrest.pairs = {{1, 2}, {3, 4}};
+  summary.ledger_error = 4.9e-324;
+  Averages averages;
+  averages.granular_temperature = 2.0 / 3;
+  averages.temperature_diagonal = {0.1, 0.2};
+  averages.pressure_tensor = {1.0 / 7, -0.0, 0.5, 0.25};
+  summary.averages = averages;
+  const RunResult result = result_from_message(to_message({42, summary}, 2));
+  EXPECT_EQ(result.run, 42);
+  ASSERT_TRUE(std::holds_alternative<Summary>(result.outcome));
+  EXPECT_EQ(cells(std::get<Summary>(result.outcome)), cells(summary));
+}
+
+TEST(Message, BringsFailuresAndDroppedRuns) {
+  const RunResult failed = result_from_message(to_message({1, Failure{"a \"b\"\n"}}, 3));
+  EXPECT_EQ(std::get<Failure>(failed.outcome).error, "a \"b\"\n");
+  const RunResult dropped = result_from_message(to_message({2, Dropped{}}, 3));
+  EXPECT_TRUE(std::holds_alternative<Dropped>(dropped.outcome));
+}
+
+TEST(Message, BringsATask) {
+  const TaskMessage task = task_from_message(to_message(TaskMessage{9, "[system]\n", 0.1}));
+  EXPECT_EQ(task.run, 9);
+  EXPECT_EQ(task.case_text, "[system]\n");
+  EXPECT_EQ(task.wall_seconds, 0.1);
+}
+
+}  // namespace
+}  // namespace zenosphere

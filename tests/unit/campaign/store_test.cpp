@@ -1,0 +1,196 @@
+#include "campaign/store.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "../io/temporary_folder.hpp"
+#include "campaign/seeds.hpp"
+#include "model/errors.hpp"
+#include "sweep_texts.hpp"
+
+namespace zenosphere {
+namespace {
+
+class SweepStoreTest : public testing::Test {
+ protected:
+  std::string path() const { return (folder_.path / "s.sqlite").string(); }
+
+  /// Takes over the store with a sweep, which may extend it.
+  SweepStore store(const std::string& text = small_sweep) const {
+    return {path(), parse_sweep(text, "s.toml")};
+  }
+
+  /// All rows: run, point, replica, the two axes, status.
+  std::vector<std::string> rows() const {
+    Database database(path(), Database::Access::read);
+    Statement query = database.statement(
+        "SELECT run, point, replica, \"system.restitution\", \"system.solids_volume_fraction\", "
+        "status FROM run ORDER BY run");
+    std::vector<std::string> rows;
+    while (query.step()) {
+      std::string row = cell_text(query.cell(0));
+      for (int column = 1; column < 6; ++column) row += ' ' + cell_text(query.cell(column));
+      rows.push_back(row);
+    }
+    return rows;
+  }
+
+  std::string refusal(const std::string& text) const {
+    try {
+      store(text);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  TemporaryFolder folder_;
+};
+
+Summary some_summary() {
+  Summary summary;
+  summary.outcome = "finished";
+  summary.verdict = "none";
+  summary.collisions = 320;
+  return summary;
+}
+
+TEST_F(SweepStoreTest, HasARowForEveryRunWithTheReplicaOutermost) {
+  store();
+  EXPECT_EQ(rows(), (std::vector<std::string>{"0 0 0 0.2 0.2 pending", "1 1 0 0.2 0.3 pending",
+                                              "2 2 0 0.9 0.2 pending", "3 3 0 0.9 0.3 pending",
+                                              "4 0 1 0.2 0.2 pending", "5 1 1 0.2 0.3 pending",
+                                              "6 2 1 0.9 0.2 pending", "7 3 1 0.9 0.3 pending"}));
+}
+
+TEST_F(SweepStoreTest, GivesRunsTheSeedOfTheirNumber) {
+  SweepStore opened = store();
+  const auto tasks = opened.pending(3, 2);
+  ASSERT_EQ(tasks.size(), 2U);
+  EXPECT_EQ(tasks[1].run, 4);
+  EXPECT_EQ(tasks[1].overrides[0], "start.seed=" + std::to_string(run_seed(7, 4)));
+}
+
+TEST_F(SweepStoreTest, KeepsWhatWasCommittedAndDropsWhatWasNot) {
+  {
+    SweepStore opened = store();
+    opened.record({1, some_summary()});
+    opened.commit();
+    opened.record({2, some_summary()});
+    opened.record({3, Dropped{}});
+  }
+  const RunCounts counts = store().counts();
+  EXPECT_EQ(counts.done, 1);
+  EXPECT_EQ(counts.pending, 7);
+}
+
+TEST_F(SweepStoreTest, RecordsAFailureOnceUntilItIsForgotten) {
+  SweepStore opened = store();
+  opened.record({5, Failure{"too dense"}});
+  opened.commit();
+  EXPECT_EQ(opened.counts().failed, 1);
+  EXPECT_EQ(opened.pending(5, 1)[0].run, 6);
+  opened.forget_failures();
+  EXPECT_EQ(opened.pending(5, 1)[0].run, 5);
+}
+
+TEST_F(SweepStoreTest, AppendsWhatALongerSweepAdds) {
+  {
+    SweepStore opened = store();
+    opened.record({0, some_summary()});
+    opened.commit();
+  }
+  store(replaced(small_sweep, "[0.2, 0.9]", "[0.9, 0.5, 0.2]"));
+  const std::vector<std::string> more = rows();
+  ASSERT_EQ(more.size(), 12U);
+  EXPECT_EQ(more[0], "0 0 0 0.2 0.2 done");
+  EXPECT_EQ(more[7], "7 3 1 0.9 0.3 pending");
+  EXPECT_EQ(more[8], "8 4 0 0.5 0.2 pending");
+  EXPECT_EQ(more[9], "9 5 0 0.5 0.3 pending");
+  EXPECT_EQ(more[10], "10 4 1 0.5 0.2 pending");
+  EXPECT_EQ(more[11], "11 5 1 0.5 0.3 pending");
+}
+
+TEST_F(SweepStoreTest, AppendsMoreSeedsAtThePointsThereAre) {
+  store();
+  store(replaced(small_sweep, "[0.2, 0.9]", "[0.9, 0.5, 0.2]"));
+  store(replaced(replaced(small_sweep, "[0.2, 0.9]", "[0.9, 0.5, 0.2]"), "seeds = 2", "seeds = 3"));
+  const std::vector<std::string> more = rows();
+  ASSERT_EQ(more.size(), 18U);
+  EXPECT_EQ(more[12], "12 2 2 0.9 0.2 pending");
+  EXPECT_EQ(more[14], "14 4 2 0.5 0.2 pending");
+  EXPECT_EQ(more[17], "17 1 2 0.2 0.3 pending");
+}
+
+TEST_F(SweepStoreTest, AddsNothingTwice) {
+  store();
+  store();
+  EXPECT_EQ(rows().size(), 8U);
+}
+
+TEST_F(SweepStoreTest, IsNotTakenOverByAnotherSweep) {
+  store();
+  std::string other = replaced(small_sweep, "[0.2, 0.9]", "[0.2, 0.8]");
+  other = replaced(other, "seeds = 2", "seeds = 1");
+  other = replaced(other, "spheres = 32", "spheres = 108");
+  other = replaced(other, "collisions_per_sphere = 20", "collisions_per_sphere = 30");
+  const std::string told = refusal(other);
+  EXPECT_EQ(told.substr(told.find('\n')),
+            "\n  stop.collisions_per_sphere is 30 (20 in the store)"
+            "\n  system.spheres is 108 (32 in the store)"
+            "\n  sweep.seeds is 1 (2 in the store)"
+            "\n  axes.\"system.restitution\" lacks 0.9 (which the store has)");
+  EXPECT_EQ(rows().size(), 8U);
+}
+
+TEST_F(SweepStoreTest, IsTakenOverByTheSameSweepInOtherWords) {
+  store();
+  EXPECT_EQ(
+      refusal("# a remark\n" + replaced(small_sweep, "shear_rate = 1", "shear_rate = 1  # x")),
+      "accepted");
+}
+
+TEST_F(SweepStoreTest, IsWrittenByOneSweepAtATime) {
+  const SweepStore first = store();
+  EXPECT_NE(refusal(small_sweep).find("another sweep is writing to it"), std::string::npos);
+}
+
+TEST_F(SweepStoreTest, LeavesNothingBesideItselfWhenItIsClosed) {
+  store();
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path)) {
+    EXPECT_EQ(entry.path().filename(), "s.sqlite");
+    ++files;
+  }
+  EXPECT_EQ(files, 1);
+}
+
+TEST_F(SweepStoreTest, IsNoFileOfAnotherProgram) {
+  std::ofstream(path()) << "a text that is long enough to be no empty database\n";
+  EXPECT_NE(refusal(small_sweep).find("is not the store of a sweep"), std::string::npos);
+  std::filesystem::remove(path());
+  Database(path(), Database::Access::write).execute("CREATE TABLE mine (x)");
+  EXPECT_NE(refusal(small_sweep).find("is a database of another program"), std::string::npos);
+}
+
+TEST_F(SweepStoreTest, OfANewerFormatIsRefused) {
+  store();
+  Database(path(), Database::Access::write).execute("PRAGMA user_version = 2");
+  EXPECT_NE(refusal(small_sweep).find("is a store of format 2"), std::string::npos);
+}
+
+TEST_F(SweepStoreTest, ThatIsDamagedIsRefused) {
+  store();
+  {
+    std::fstream file(path(), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(4096);  // the second page
+    file << std::string(4096, 'x');
+  }
+  EXPECT_NE(refusal(small_sweep).find("is damaged"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace zenosphere

@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "../io/temporary_folder.hpp"
+#include "campaign/run_case.hpp"
+#include "campaign/sweep.hpp"
+#include "io/case_file.hpp"
+#include "model/errors.hpp"
+#include "sweep_texts.hpp"
+
+namespace zenosphere {
+namespace {
+
+/// What is said against a sweep file.
+std::string refusal(const std::string& text) {
+  try {
+    parse_sweep(text, "s.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// The same of the small sweep with one part replaced.
+std::string refusal(const std::string& part, const std::string& other) {
+  return refusal(replaced(small_sweep, part, other));
+}
+
+TEST(SweepFile, GivesAxesInTheOrderOfTheFile) {
+  const Sweep sweep = parse_sweep(small_sweep, "s.toml");
+  ASSERT_EQ(sweep.axes.size(), 2U);
+  EXPECT_EQ(sweep.axes[0].path(), "system.restitution");
+  EXPECT_EQ(sweep.axes[1].path(), "system.solids_volume_fraction");
+  EXPECT_EQ(sweep.points(), 4);
+  EXPECT_EQ(sweep.runs(), 8);
+}
+
+TEST(SweepFile, TakesAxesInTablesOfTheirOwn) {
+  const Sweep sweep =
+      parse_sweep(replaced(small_sweep, "\"system.restitution\"", "system.restitution"), "s.toml");
+  ASSERT_EQ(sweep.axes.size(), 2U);
+  EXPECT_EQ(sweep.axes[0].path(), "system.restitution");
+}
+
+TEST(SweepFile, GivesEachRunItsValuesItsSeedAndItsStop) {
+  const Sweep sweep = parse_sweep(small_sweep, "s.toml");
+  const Case values = case_of_run(sweep.base, sweep.stop, overrides_of(sweep, 5));
+  EXPECT_EQ(values.system.restitution, 0.2);  // run 5: replica 1, point 1
+  EXPECT_EQ(values.system.solids_volume_fraction, 0.3);
+  EXPECT_EQ(values.run.collisions, 320);  // 20 x 32 / 2
+}
+
+TEST(SweepFile, StopsARunThatItsCaseStopsEarlierWhereTheCaseSays) {
+  const Sweep sweep = parse_sweep(small_sweep + "[case.run]\ncollisions = 5\n", "s.toml");
+  EXPECT_EQ(case_of_run(sweep.base, sweep.stop, overrides_of(sweep, 0)).run.collisions, 5);
+}
+
+TEST(SweepFile, BaseTextStandsForTheBaseCase) {
+  const Sweep sweep = parse_sweep(small_sweep, "s.toml");
+  const CaseDraft base(case_format::entries_of(sweep.base_text, "base"), "base");
+  for (int run = 0; run < 8; ++run) {
+    const auto overrides = overrides_of(sweep, run);
+    EXPECT_EQ(resolved_toml(case_of_run(base, sweep.stop, overrides)),
+              resolved_toml(case_of_run(sweep.base, sweep.stop, overrides)));
+  }
+}
+
+TEST(SweepFile, NamesItsBaseCaseRelativeToItself) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "base.toml")
+      << "[system]\ndimension = 1\nspheres = 3\nsides = [9]\n[start]\narrangement = \"file\"\nfile "
+         "= "
+         "\"start.xyz\"\n[drive]\nkind = \"none\"\n[run]\ntime = 1\n";
+  std::ofstream(folder.path / "s.toml")
+      << "[sweep]\ncase = \"base.toml\"\nseeds = 1\n[axes]\n\"system.restitution\" = [0.5]\n";
+  const Sweep sweep = read_sweep(folder.path / "s.toml");
+  EXPECT_EQ(case_of_run(sweep.base, sweep.stop, overrides_of(sweep, 0)).start.file,
+            (folder.path / "start.xyz").string());
+}
+
+TEST(SweepFile, ProblemsOfValuesStandWhereTheValuesStand) {
+  EXPECT_EQ(refusal("[0.2, 0.9]", "[0.2, 1.5]"),
+            "s.toml:5:30: system.restitution = 1.5 (must be in [0, 1]; 1 is elastic)");
+  EXPECT_EQ(refusal("[0.2, 0.9]", "[0.2, \"high\"]"),
+            "s.toml:5:30: system.restitution = \"high\" (found text, needs a real number)");
+}
+
+TEST(SweepFile, TellsAllProblemsAtOnceInTheOrderOfTheFile) {
+  EXPECT_EQ(
+      refusal("[sweep]\nseed = 1\n[axis]\nx = 1\n[stop]\nwall_seconds = -1\n"),
+      "s.toml:2:1: unknown key sweep.seed; did you mean seeds?\n"
+      "s.toml:3:2: unknown table axis; did you mean [axes]?\n"
+      "s.toml:6:16: stop.wall_seconds = -1 (must be in (0, 1000000000000000])\n"
+      "s.toml: missing the base case; add case = \"FILE.toml\" under [sweep]\n"
+      "s.toml: missing key sweep.seeds (runs at each point of the grid); add seeds = 10 under "
+      "[sweep]");
+}
+
+TEST(SweepFile, KnowsWhichKeyAnAxisMeant) {
+  EXPECT_EQ(refusal("\"system.restitution\"", "\"system.restituton\""),
+            "s.toml:5:1: unknown key axes.\"system.restituton\" (an axis is over a key of the "
+            "case); did you mean \"system.restitution\"?");
+}
+
+TEST(SweepFile, RefusesAnAxisOverTheSeed) {
+  EXPECT_EQ(refusal("\"system.restitution\"", "\"start.seed\""),
+            "s.toml:5:1: axes.\"start.seed\" (the seed of each run follows from sweep.master_seed "
+            "and its number); remove it and raise sweep.seeds");
+}
+
+TEST(SweepFile, RefusesAValueTwice) {
+  EXPECT_EQ(refusal("[0.2, 0.9]", "[1, 0.2, 1.0]"),
+            "s.toml:5:25: axes.\"system.restitution\" has 1.0 twice; remove one");
+}
+
+TEST(SweepFile, RefusesRangesThatAreNone) {
+  EXPECT_EQ(refusal("[0.2, 0.9]", "{ from = 0, to = 1, points = 3, spacing = \"log\" }"),
+            "s.toml:5:24: axes.\"system.restitution\" = {...} (a log range needs from and to above "
+            "0)");
+  EXPECT_EQ(refusal("[0.2, 0.9]", "{ from = 0, points = 3 }"),
+            "s.toml:5:24: axes.\"system.restitution\" = {...} (a range needs from, to and points)");
+}
+
+TEST(SweepFile, RefusesMoreRunsThanAStoreHolds) {
+  EXPECT_EQ(refusal("seeds = 2", "seeds = 9999999"),
+            "s.toml: 4e+07 runs (at most 10000000); give fewer values or seeds");
+}
+
+TEST(SweepFile, FindsPointsOfTheGridThatAreNoCase) {
+  const std::string told =
+      refusal("\"system.solids_volume_fraction\" = [0.2, 0.3]", "\"system.spheres\" = [32, 33]");
+  EXPECT_EQ(told.substr(0, 33), "s.toml:6:25: system.spheres = 33 ");
+}
+
+}  // namespace
+}  // namespace zenosphere
