@@ -1,0 +1,274 @@
+"""zenosphere sweep: one store however the runs are done, and what a user sees when something is wrong."""
+
+import csv
+import io
+import json
+import os
+import pty
+import resource
+import shutil
+import signal
+import sqlite3
+import subprocess
+import time
+
+import pytest
+
+SWEEP = """\
+[sweep]
+case = "case.toml"
+seeds = 2
+master_seed = 3
+
+[axes]
+"system.restitution" = [0.2, 0.9]
+"collision.overlap" = ["rewind", "guarded"]
+
+[stop]
+collisions_per_sphere = 10
+"""
+ENDLESS = SWEEP.replace("collisions_per_sphere = 10", "collisions_per_sphere = 1e9") \
+    .replace("[0.2, 0.9]", "[0.95, 0.99]")
+
+
+@pytest.fixture
+def sweep(program):
+    """The program in a folder with a sweep of eight runs of the small case."""
+    case = program.case.read_text().replace("collisions = 2000", "collisions = 1_000_000_000_000")
+    program.case.write_text(case)
+    (program.folder / "s.toml").write_text(SWEEP)
+    return program
+
+
+def rows(path, unequal=("wall_seconds",)):
+    """All rows of a store as dicts, without what differs between equal runs."""
+    with sqlite3.connect(path) as store:
+        store.row_factory = sqlite3.Row
+        found = [dict(row) for row in store.execute("SELECT * FROM run ORDER BY run")]
+    store.close()
+    return [{key: row[key] for key in row if key not in unequal} for row in found]
+
+
+def start(program, *words, **options):
+    return subprocess.Popen(program.command("sweep", *words), cwd=program.folder, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+
+
+def wait_for(condition):
+    for _ in range(1000):
+        if condition():
+            return
+        time.sleep(0.01)
+    raise AssertionError("ten seconds were not enough")
+
+
+def test_store_holds_every_run_and_is_named_after_the_sweep_file(sweep):
+    done = sweep("sweep", "s.toml", "--json")
+    told = json.loads(done.stdout.splitlines()[-1])
+    assert (told["store"], told["runs"], told["done"]) == ("s.sqlite", 8, 8)
+    found = rows(sweep.folder / "s.sqlite")
+    assert [row["run"] for row in found] == list(range(8))
+    assert {row["status"] for row in found} == {"done"}
+    assert [row["collision.overlap"] for row in found[:3]] == ["rewind", "guarded", "rewind"]
+    assert len({row["seed"] for row in found}) == 8
+    assert {row["collisions"] for row in found if row["system.restitution"] == 0.9} == {540}
+
+
+def test_store_is_in_write_ahead_mode_and_one_file(sweep):
+    sweep("sweep", "s.toml")
+    store = sqlite3.connect(sweep.folder / "s.sqlite")
+    assert store.execute("PRAGMA journal_mode").fetchone() == ("wal",)
+    store.close()
+    assert sorted(path.name for path in sweep.folder.iterdir()) == ["case.toml", "s.sqlite", "s.toml"]
+
+
+def test_case_that_show_prints_repeats_the_run(sweep):
+    sweep("sweep", "s.toml")
+    row = rows(sweep.folder / "s.sqlite")[5]
+    for source in ("s.sqlite", "s.toml"):
+        (sweep.folder / "again.toml").write_text(sweep("sweep", "show", source, "--run", "5").stdout)
+        done = sweep("run", "again.toml", "--quiet", "--json")
+        summary = json.loads(done.stdout)
+        assert (summary["collisions"], summary["time"], summary["verdict"]) == \
+            (row["collisions"], row["time"], row["verdict"])
+        assert summary["averages"]["pressure_tensor"] == json.loads(row["pressure_tensor"])
+
+
+def test_csv_has_a_line_for_each_run(sweep):
+    sweep("sweep", "s.toml")
+    table = list(csv.DictReader(io.StringIO(sweep("sweep", "csv", "s.sqlite").stdout)))
+    found = rows(sweep.folder / "s.sqlite")
+    assert [int(line["run"]) for line in table] == [row["run"] for row in found]
+    assert [float(line["time"]) for line in table] == [row["time"] for row in found]
+    assert [line["arrest_pairs"] for line in table] == [row["arrest_pairs"] for row in found]
+    sweep("sweep", "csv", "s.sqlite", "-o", "s.csv")
+    assert list(csv.DictReader((sweep.folder / "s.csv").open())) == table
+
+
+def test_dry_run_tells_the_plan_and_runs_nothing(sweep):
+    told = json.loads(sweep("sweep", "s.toml", "--dry-run", "--json").stdout)
+    assert (told["points"], told["seeds"], told["pending"]) == (4, 2, 8)
+    assert told["seconds_per_run"] > 0 and "probes" in told["source"]
+    assert not (sweep.folder / "s.sqlite").exists()
+    sweep("sweep", "s.toml")
+    text = sweep("sweep", "s.toml", "--dry-run").stdout
+    assert "8 (8 done, 0 failed)" in text and "from the 8 runs done" in text
+
+
+def test_extended_sweep_keeps_its_rows_and_adds_some(sweep):
+    sweep("sweep", "s.toml")
+    before = rows(sweep.folder / "s.sqlite")
+    (sweep.folder / "s.toml").write_text(SWEEP.replace("[0.2, 0.9]", "[0.2, 0.5, 0.9]"))
+    assert json.loads(sweep("sweep", "s.toml", "--json").stdout.splitlines()[-1])["ended_here"] == 4
+    after = rows(sweep.folder / "s.sqlite")
+    assert after[:8] == before and len(after) == 12
+    assert {row["system.restitution"] for row in after[8:]} == {0.5}
+
+
+def test_changed_sweep_is_refused_with_what_differs(sweep):
+    sweep("sweep", "s.toml")
+    (sweep.folder / "s.toml").write_text(SWEEP.replace("master_seed = 3", "master_seed = 4"))
+    lines = sweep.fail("sweep", "s.toml")
+    assert lines == ["s.sqlite: holds the runs of another sweep than s.toml (what differs is below); "
+                     "choose another store with -o", "  sweep.master_seed is 4 (3 in the store)"]
+
+
+def test_problems_of_the_sweep_file_come_with_their_places(sweep):
+    (sweep.folder / "s.toml").write_text(SWEEP.replace("0.9", "1.9").replace("guarded", "garded"))
+    assert sweep.fail("sweep", "s.toml") == [
+        "s.toml:7:30: system.restitution = 1.9 (must be in [0, 1]; 1 is elastic)",
+        "s.toml:8:34: collision.overlap = \"garded\" (must be \"rewind\", \"immediate\", \"guarded\" "
+        "or \"stop\"); did you mean \"guarded\"?"]
+
+
+def test_failed_runs_are_rows_and_exit_code_1(sweep):
+    box = "2\nLattice=\"9 0 0 0 1 0 0 0 1\" Properties=pos:R:3:velo:R:3\n1 0 0 1 0 0\n{} 0 0 -1 0 0\n"
+    for name, place in (("good", 5), ("bad", 1.5)):
+        (sweep.folder / name).write_text(box.format(place))
+    sweep.case.write_text("[system]\ndimension = 1\nspheres = 2\nrestitution = 0.9\nsides = [9]\n"
+                          "[start]\narrangement = \"file\"\n[drive]\nkind = \"none\"\n"
+                          "[run]\ncollisions = 9\n")
+    (sweep.folder / "s.toml").write_text("[sweep]\ncase = \"case.toml\"\nseeds = 1\n[axes]\n"
+                                         "\"start.file\" = [\"bad\", \"good\"]\n")
+    assert "1 failed" in sweep("sweep", "s.toml", code=1).stdout
+    found = rows(sweep.folder / "s.sqlite")
+    assert [row["status"] for row in found] == ["failed", "done"]
+    assert "spheres 0 and 1 overlap" in found[0]["error"]
+    (sweep.folder / "bad").write_text(box.format(4))
+    sweep("sweep", "s.toml", code=1)
+    sweep("sweep", "s.toml", "--retry-failed")
+
+
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
+def test_interrupted_sweep_ends_cleanly_and_goes_on_later(sweep, sent):
+    (sweep.folder / "s.toml").write_text(ENDLESS)
+    process = start(sweep, "s.toml")
+    wait_for((sweep.folder / "s.sqlite").exists)
+    time.sleep(0.3)
+    process.send_signal(sent)
+    output, errors = process.communicate(timeout=20)
+    assert process.returncode == 130 and errors == ""
+    assert "0 of 8 runs done" in output and "the same command goes on" in output
+    assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"pending"}
+
+
+def test_second_sweep_on_a_store_is_refused(sweep):
+    (sweep.folder / "s.toml").write_text(ENDLESS)
+    process = start(sweep, "s.toml")
+    try:
+        wait_for((sweep.folder / "s.sqlite").exists)
+        time.sleep(0.2)
+        lines = sweep.fail("sweep", "s.toml", code=4)
+        assert lines[0].startswith("s.sqlite: another sweep is writing to it")
+        assert sweep("sweep", "csv", "s.sqlite").stdout.count("pending") == 8  # readers may look
+    finally:
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=20)
+
+
+@pytest.mark.parametrize("content, told", [
+    ("a text that is long enough to be no empty database", "is not the store of a sweep"),
+    (None, "is a database of another program")])
+def test_file_of_another_program_is_refused_and_left_alone(sweep, content, told):
+    path = sweep.folder / "s.sqlite"
+    if content:
+        path.write_text(content)
+    else:
+        with sqlite3.connect(path) as store:
+            store.execute("CREATE TABLE mine (x)")
+        store.close()
+    before = path.read_bytes()
+    assert told in sweep.fail("sweep", "s.toml", code=4)[0]
+    assert told in sweep.fail("sweep", "csv", "s.sqlite", code=4)[0]
+    assert path.read_bytes() == before
+
+
+def test_full_disk_is_exit_code_4(sweep):
+    def little_room():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
+
+    (sweep.folder / "s.toml").write_text(SWEEP.replace("seeds = 2", "seeds = 200"))
+    done = sweep("sweep", "s.toml", code=4, preexec_fn=little_room)
+    assert done.stderr.startswith("s.sqlite: could not be written")
+    sweep("sweep", "s.toml", "--quiet")
+    assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"done"}
+
+
+def test_terminal_shows_one_progress_line(sweep):
+    (sweep.folder / "s.toml").write_text(ENDLESS)
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(sweep.command("sweep", "s.toml", "--threads", "2"), stderr=theirs,
+                               cwd=sweep.folder, stdout=subprocess.PIPE, text=True)
+    os.close(theirs)
+    shown = os.read(ours, 4096).decode()
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=20)
+    os.close(ours)
+    assert "0 of 8 runs done  2 running  0 failed" in shown
+
+
+def has_mpi(program):
+    libraries = subprocess.run(["ldd", program.command()[0]], capture_output=True, text=True).stdout
+    return "libmpi" in libraries and shutil.which("mpirun")
+
+
+def mpirun(program, ranks, *words):
+    return subprocess.run(
+        ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n", str(ranks),
+         *program.command("sweep", *words)],
+        cwd=program.folder, capture_output=True, text=True, timeout=60)
+
+
+def test_ranks_of_mpi_make_the_rows_that_threads_make(sweep):
+    if not has_mpi(sweep):
+        pytest.skip("built without MPI")
+    sweep("sweep", "s.toml", "-o", "threads.sqlite")
+    for ranks in (3, 1):
+        done = mpirun(sweep, ranks, "s.toml", "-o", f"{ranks}.sqlite")
+        assert done.returncode == 0, done.stderr
+        assert rows(sweep.folder / f"{ranks}.sqlite") == rows(sweep.folder / "threads.sqlite")
+
+
+def test_error_of_rank_0_ends_all_ranks(sweep):
+    if not has_mpi(sweep):
+        pytest.skip("built without MPI")
+    done = mpirun(sweep, 3, "missing.toml")
+    assert done.returncode == 2
+    assert done.stderr.startswith("missing.toml: cannot be opened (No such file or directory)")
+
+
+def test_death_of_a_rank_ends_the_sweep_which_goes_on_later(sweep):
+    if not has_mpi(sweep):
+        pytest.skip("built without MPI")
+    (sweep.folder / "s.toml").write_text(ENDLESS)
+    process = subprocess.Popen(
+        ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n", "3",
+         *sweep.command("sweep", "s.toml")],
+        cwd=sweep.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    wait_for((sweep.folder / "s.sqlite").exists)
+    time.sleep(0.3)
+    children = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True)
+    os.kill(int(children.stdout.split()[-1]), signal.SIGKILL)
+    process.communicate(timeout=30)
+    assert process.returncode != 0
+    assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"pending"}
