@@ -240,7 +240,7 @@ std::size_t MpiWorkers::room() const { return 0; }
 void MpiWorkers::submit(RunTask) {}
 void MpiWorkers::receive_all() {}
 std::vector<RunResult> MpiWorkers::collect() { return {}; }
-void MpiWorkers::cancel() {}
+void MpiWorkers::cancel() { is_cancelled_ = true; }
 
 }  // namespace zenosphere
 

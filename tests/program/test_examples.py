@@ -62,6 +62,12 @@ def test_example_runs(program, example):
     assert program("info", "out.h5").stdout
 
 
+@pytest.mark.parametrize("example", sorted((CHECKOUT / "examples" / "sweeps").glob("*.toml")),
+                         ids=name_of)
+def test_example_of_a_sweep_is_right(program, example):
+    assert "points" in program("sweep", str(example), "--dry-run").stdout
+
+
 def test_there_are_the_two_cases_of_the_paper():
     restitution = {tomllib.loads(each.read_text())["system"].get("restitution")
                    for each in EXAMPLES}
@@ -84,7 +90,11 @@ def test_commands_of_a_document_run(program, document):
                          ids=[f"{name_of(document)}:{number}" for document, number in CASES])
 def test_toml_of_a_document_is_right(program, document, number):
     text = blocks(document, "toml")[number]
-    if {"system", "start", "drive", "run"} <= set(tomllib.loads(text)):
+    if "sweep" in tomllib.loads(text):
+        program.case.rename(program.folder / "shear.toml")
+        program.case.write_text(text)
+        program("sweep", "case.toml", "--quiet")
+    elif {"system", "start", "drive", "run"} <= set(tomllib.loads(text)):
         program.case.write_text(text)
         program("run", "case.toml", "--quiet", *SHORT)
     else:

@@ -5,6 +5,7 @@ import io
 import json
 import os
 import pty
+import re
 import resource
 import shutil
 import signal
@@ -72,6 +73,27 @@ def test_store_holds_every_run_and_is_named_after_the_sweep_file(sweep):
     assert [row["collision.overlap"] for row in found[:3]] == ["rewind", "guarded", "rewind"]
     assert len({row["seed"] for row in found}) == 8
     assert {row["collisions"] for row in found if row["system.restitution"] == 0.9} == {540}
+
+
+def python_of_the_page(checkout, number):
+    page = (checkout / "docs" / "sweep-file.md").read_text()
+    return re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)[number]
+
+
+def test_seeds_are_those_of_the_function_on_the_page(sweep, checkout):
+    sweep("sweep", "s.toml")
+    names = {}
+    exec(python_of_the_page(checkout, 0), names)
+    found = rows(sweep.folder / "s.sqlite")
+    assert [row["seed"] for row in found] == [names["run_seed"](3, run) for run in range(8)]
+
+
+def test_pandas_reads_the_store_as_the_page_says(sweep, checkout, monkeypatch, capsys):
+    pytest.importorskip("pandas")
+    sweep("sweep", "s.toml", "-o", "sweep.sqlite")
+    monkeypatch.chdir(sweep.folder)
+    exec(python_of_the_page(checkout, 1), {})
+    assert "false_positive" in capsys.readouterr().out
 
 
 def test_store_is_in_write_ahead_mode_and_one_file(sweep):
