@@ -6,8 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "campaign/run_case.hpp"
 #include "fuzz/memory_file.hpp"
 #include "io/case_file.hpp"
+#include "io/case_tree.hpp"
 #include "io/derived.hpp"
 #include "io/info.hpp"
 #include "io/output_reader.hpp"
@@ -49,6 +51,16 @@ Case case_with_start(int dimension, std::int64_t spheres, const MemoryFile& file
   return values;
 }
 
+/// Whether a sweep file names the file of its base case.
+bool names_a_file(const std::string& text) {
+  for (const auto& table : case_format::tree_of(text, "sweep.toml", "case")) {
+    for (const auto& key : table.children) {
+      if (table.name == "sweep" && key.name == "case") return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void case_file(Bytes bytes) {
@@ -69,6 +81,19 @@ void case_file(Bytes bytes) {
     const Case again = parse_case(resolved, "case.toml", {});
     require(resolved_toml(again) == resolved, "a resolved case resolves to itself");
     if (values.start.arrangement != Arrangement::file) derived_text(values);
+  });
+}
+
+void sweep_file(Bytes bytes) {
+  const std::string text = text_of(bytes);
+  attempt([&] {
+    if (names_a_file(text)) return;
+    const Sweep sweep = parse_sweep(text, "sweep.toml");
+    const CaseDraft kept(case_format::entries_of(sweep.base_text, "store"), "store");
+    const auto overrides = overrides_of(sweep, 0);
+    const Case first = case_of_run(sweep.base, sweep.stop, overrides);
+    const Case again = case_of_run(kept, sweep.stop, overrides);
+    require(resolved_toml(first) == resolved_toml(again), "a store keeps the base case");
   });
 }
 

@@ -13,6 +13,10 @@ using Bytes = std::span<const std::uint8_t>;
 /// written and read again. Files that a case names are not opened.
 void case_file(Bytes bytes);
 
+/// A sweep file that holds its base case itself, as one that names a file is not followed. The base
+/// case that its store would keep must make the same first run.
+void sweep_file(Bytes bytes);
+
 /// The JSON text in /zenosphere/summary. What is accepted must survive being written and read.
 void summary(Bytes bytes);
 

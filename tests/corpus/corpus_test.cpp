@@ -29,6 +29,7 @@ void replay(const std::string& target, void (*reader)(Bytes)) {
 }
 
 TEST(Corpus, OfCaseFilesIsReadOrRefused) { replay("case_file", case_file); }
+TEST(Corpus, OfSweepFilesIsReadOrRefused) { replay("sweep_file", sweep_file); }
 TEST(Corpus, OfSummariesIsReadOrRefused) { replay("summary", summary); }
 TEST(Corpus, OfStartsInTextIsReadOrRefused) { replay("start_text", start_text); }
 TEST(Corpus, OfStartsInHdf5IsReadOrRefused) { replay("start_output", start_output); }
