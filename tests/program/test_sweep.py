@@ -15,6 +15,8 @@ import time
 
 import pytest
 
+from test_reliability import without_privilege
+
 SWEEP = """\
 [sweep]
 case = "case.toml"
@@ -234,6 +236,21 @@ def test_full_disk_is_exit_code_4(sweep):
     assert done.stderr.startswith("s.sqlite: could not be written")
     sweep("sweep", "s.toml", "--quiet")
     assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"done"}
+
+
+def test_store_in_a_read_only_folder_can_be_read_but_not_written(sweep):
+    sweep("sweep", "s.toml", "--quiet")
+    table = sweep("sweep", "csv", "s.sqlite").stdout
+    sweep.folder.chmod(0o500)
+    try:
+        options = {"preexec_fn": without_privilege}
+        assert sweep("sweep", "csv", "s.sqlite", **options).stdout == table
+        for name in ("s.sqlite", "new.sqlite"):
+            done = sweep("sweep", "s.toml", "-o", name, code=4, **options)
+            assert done.stderr == (f"{name}: cannot be written beside ({name}-lock: Permission denied); "
+                                   "choose another place\n")
+    finally:
+        sweep.folder.chmod(0o700)
 
 
 def test_terminal_shows_one_progress_line(sweep):
