@@ -124,7 +124,9 @@ void SweepStore::take_over(const Sweep& sweep) {
 }
 
 void SweepStore::forget_failures() {
-  database_.execute("UPDATE run SET status = 'pending', error = NULL WHERE status = 'failed'");
+  database_.execute(
+      "UPDATE run SET status = 'pending', error = NULL, program_version = NULL, git_hash = NULL "
+      "WHERE status = 'failed'");
 }
 
 void SweepStore::record(const RunResult& result) {

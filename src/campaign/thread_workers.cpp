@@ -1,10 +1,14 @@
 #include "campaign/thread_workers.hpp"
 
+#include <fmt/format.h>
 #include <sched.h>
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
+
+#include "model/errors.hpp"
 
 namespace zenosphere {
 
@@ -20,10 +24,18 @@ std::size_t usable_cores() {
 ThreadWorkers::ThreadWorkers(RunSetting setting, std::size_t threads)
     : setting_(std::move(setting)) {
   threads_.reserve(threads);
-  for (std::size_t n = 0; n < threads; ++n) threads_.emplace_back([this] { work(); });
+  try {
+    for (std::size_t n = 0; n < threads; ++n) threads_.emplace_back([this] { work(); });
+  } catch (const std::system_error& error) {
+    end();
+    throw InputError(fmt::format("--threads: {} threads could not be started ({}); give fewer",
+                                 threads, error.code().message()));
+  }
 }
 
-ThreadWorkers::~ThreadWorkers() {
+ThreadWorkers::~ThreadWorkers() { end(); }
+
+void ThreadWorkers::end() {
   is_cancelled_ = true;
   {
     const std::lock_guard lock(mutex_);

@@ -17,6 +17,7 @@ std::size_t usable_cores();
 /// Threads of this process.
 class ThreadWorkers : public Workers {
  public:
+  /// Throws InputError where the system does not give so many threads.
   ThreadWorkers(RunSetting setting, std::size_t threads);
 
   /// Ends the threads; what they are at is dropped.
@@ -31,6 +32,7 @@ class ThreadWorkers : public Workers {
 
  private:
   void work();
+  void end();
   std::size_t most_unfinished() const { return 4 * threads_.size() + 16; }
 
   const RunSetting setting_;
