@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from sweeps import SWEEP
+
 CHECKOUT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("ZENOSPHERE", CHECKOUT / "build" / "zenosphere")).resolve()
 MOST_SECONDS = 30  # no command of these tests takes two: what takes so long, hangs
@@ -105,6 +107,15 @@ class Program:
 @pytest.fixture
 def program(tmp_path):
     return Program(tmp_path)
+
+
+@pytest.fixture
+def sweep(program):
+    """The program in a folder with a sweep of eight runs of the small case."""
+    case = program.case.read_text().replace("collisions = 2000", "collisions = 1_000_000_000_000")
+    program.case.write_text(case)
+    (program.folder / "s.toml").write_text(SWEEP)
+    return program
 
 
 @pytest.fixture

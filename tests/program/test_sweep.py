@@ -1,4 +1,4 @@
-"""zenosphere sweep: one store however the runs are done, and what a user sees when something is wrong."""
+"""zenosphere sweep: one store however it comes about, and what a user sees when something is wrong."""
 
 import csv
 import io
@@ -7,7 +7,6 @@ import os
 import pty
 import re
 import resource
-import shutil
 import signal
 import sqlite3
 import subprocess
@@ -15,54 +14,13 @@ import time
 
 import pytest
 
+from sweeps import ENDLESS, SWEEP, is_made, rows, wait_for
 from test_reliability import without_privilege
-
-SWEEP = """\
-[sweep]
-case = "case.toml"
-seeds = 2
-master_seed = 3
-
-[axes]
-"system.restitution" = [0.2, 0.9]
-"collision.overlap" = ["rewind", "guarded"]
-
-[stop]
-collisions_per_sphere = 10
-"""
-ENDLESS = SWEEP.replace("collisions_per_sphere = 10", "collisions_per_sphere = 1e9") \
-    .replace("[0.2, 0.9]", "[0.95, 0.99]")
-
-
-@pytest.fixture
-def sweep(program):
-    """The program in a folder with a sweep of eight runs of the small case."""
-    case = program.case.read_text().replace("collisions = 2000", "collisions = 1_000_000_000_000")
-    program.case.write_text(case)
-    (program.folder / "s.toml").write_text(SWEEP)
-    return program
-
-
-def rows(path, unequal=("wall_seconds",)):
-    """All rows of a store as dicts, without what differs between equal runs."""
-    with sqlite3.connect(path) as store:
-        store.row_factory = sqlite3.Row
-        found = [dict(row) for row in store.execute("SELECT * FROM run ORDER BY run")]
-    store.close()
-    return [{key: row[key] for key in row if key not in unequal} for row in found]
 
 
 def start(program, *words, **options):
     return subprocess.Popen(program.command("sweep", *words), cwd=program.folder, text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
-
-
-def wait_for(condition):
-    for _ in range(1000):
-        if condition():
-            return
-        time.sleep(0.01)
-    raise AssertionError("ten seconds were not enough")
 
 
 def test_store_holds_every_run_and_is_named_after_the_sweep_file(sweep):
@@ -187,7 +145,7 @@ def test_failed_runs_are_rows_and_exit_code_1(sweep):
 def test_interrupted_sweep_ends_cleanly_and_goes_on_later(sweep, sent):
     (sweep.folder / "s.toml").write_text(ENDLESS)
     process = start(sweep, "s.toml")
-    wait_for((sweep.folder / "s.sqlite").exists)
+    wait_for(lambda: is_made(sweep.folder / "s.sqlite"))
     time.sleep(0.3)
     process.send_signal(sent)
     output, errors = process.communicate(timeout=20)
@@ -200,7 +158,7 @@ def test_second_sweep_on_a_store_is_refused(sweep):
     (sweep.folder / "s.toml").write_text(ENDLESS)
     process = start(sweep, "s.toml")
     try:
-        wait_for((sweep.folder / "s.sqlite").exists)
+        wait_for(lambda: is_made(sweep.folder / "s.sqlite"))
         time.sleep(0.2)
         lines = sweep.fail("sweep", "s.toml", code=4)
         assert lines[0].startswith("s.sqlite: another sweep is writing to it")
@@ -266,48 +224,8 @@ def test_terminal_shows_one_progress_line(sweep):
     assert "0 of 8 runs done  2 running  0 failed" in shown
 
 
-def has_mpi(program):
-    libraries = subprocess.run(["ldd", program.command()[0]], capture_output=True, text=True).stdout
-    return "libmpi" in libraries and shutil.which("mpirun")
-
-
-def mpirun(program, ranks, *words):
-    return subprocess.run(
-        ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n", str(ranks),
-         *program.command("sweep", *words)],
-        cwd=program.folder, capture_output=True, text=True, timeout=60)
-
-
-def test_ranks_of_mpi_make_the_rows_that_threads_make(sweep):
-    if not has_mpi(sweep):
-        pytest.skip("built without MPI")
-    sweep("sweep", "s.toml", "-o", "threads.sqlite")
-    for ranks in (3, 1):
-        done = mpirun(sweep, ranks, "s.toml", "-o", f"{ranks}.sqlite")
-        assert done.returncode == 0, done.stderr
-        assert rows(sweep.folder / f"{ranks}.sqlite") == rows(sweep.folder / "threads.sqlite")
-
-
-def test_error_of_rank_0_ends_all_ranks(sweep):
-    if not has_mpi(sweep):
-        pytest.skip("built without MPI")
-    done = mpirun(sweep, 3, "missing.toml")
-    assert done.returncode == 2
-    assert done.stderr.startswith("missing.toml: cannot be opened (No such file or directory)")
-
-
-def test_death_of_a_rank_ends_the_sweep_which_goes_on_later(sweep):
-    if not has_mpi(sweep):
-        pytest.skip("built without MPI")
-    (sweep.folder / "s.toml").write_text(ENDLESS)
-    process = subprocess.Popen(
-        ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n", "3",
-         *sweep.command("sweep", "s.toml")],
-        cwd=sweep.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    wait_for((sweep.folder / "s.sqlite").exists)
-    time.sleep(0.3)
-    children = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True)
-    os.kill(int(children.stdout.split()[-1]), signal.SIGKILL)
-    process.communicate(timeout=30)
-    assert process.returncode != 0
-    assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"pending"}
+def test_script_finds_killed_sweeps_equal_to_undisturbed_ones(sweep, checkout):
+    done = subprocess.run(
+        [checkout / "scripts" / "reliability" / "kill-a-sweep", "1"], text=True, capture_output=True,
+        timeout=120, env={**os.environ, "ZENOSPHERE": str(sweep.command()[0])})
+    assert done.stdout.startswith("1 of 1 ") and done.returncode == 0, done.stdout + done.stderr
