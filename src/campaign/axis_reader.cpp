@@ -20,7 +20,7 @@ using case_format::Value;
 
 namespace {
 
-/// `"system.restitution"`, or the key itself where it has no dot.
+/// The key of an axis as messages show it: `axes."system.restitution"`.
 std::string shown_path(const std::string& path) { return "axes." + case_format::key_text(path); }
 
 /// The key of the case that an axis is over, or null, which was told.
