@@ -32,4 +32,13 @@ void output_file(Bytes bytes);
 /// An output file, as `verify` reads it: all of it.
 void verified_file(Bytes bytes);
 
+/// A journal. The first byte says whether it is taken as it is or made whole first: then what
+/// follows are records of a kind (one byte), a length (two bytes) and a payload each, whose
+/// checksums are made right, since nothing gets past them otherwise.
+void journal(Bytes bytes);
+
+/// The state in a checkpoint, of one of three small runs by the first byte, and the run's next
+/// collisions: what it refuses to read it must not do, what it reads it must be able to go on from.
+void checkpoint(Bytes bytes);
+
 }  // namespace zenosphere::fuzz

@@ -81,6 +81,11 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
                    "events of another number of spheres");
   archive_clock(*this, archive);
   require_archived(collisions_ >= 0 && collisions_ <= most_units, "a count that there is not");
+  for (const auto& instant : {now_, last_collision_, last_change_}) {
+    require_archived(
+        instant.remainder >= earliest_time() && instant.remainder <= 2 * this->box().clock_unit(),
+        "a time that there is not");
+  }
   apply_models();
   if (contact_physics_) archive(*contact_physics_);
   for (std::int32_t i = 0; i < spheres(); ++i) {
@@ -97,6 +102,13 @@ void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   if (contact_physics_) archive(*contact_physics_);
 }
 
+/// What no event is before: an overlap leads a little into the past, which the clock counts from
+/// its last whole unit; ten thousand units are far beyond any rounding.
+template <int Dim, class Real>
+Real Simulation<Dim, Real>::earliest_time() const {
+  return -10000 * box().clock_unit();
+}
+
 /// Throws ArchiveError where sphere i has an event that no prediction makes.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::require_possible(std::int32_t i) const {
@@ -106,8 +118,8 @@ void Simulation<Dim, Real>::require_possible(std::int32_t i) const {
   const bool meets = event.contact < never;
   const bool crosses = event.crossing < never;
   const bool is_possible =
-      event.contact > -never && event.contact <= never &&  // and no NaN
-      event.crossing > -never && event.crossing <= never &&
+      event.contact >= earliest_time() && event.contact <= never &&  // and no NaN
+      event.crossing >= earliest_time() && event.crossing <= never &&
       (!meets || (event.partner >= 0 && event.partner < partners && event.partner != i)) &&
       (!crosses || (event.axis >= 0 && event.axis < Dim && std::abs(event.direction) == 1));
   require_archived(is_possible, "an event that there is not");

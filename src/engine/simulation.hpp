@@ -187,6 +187,7 @@ class Simulation {
   void rebase(const Real& next_event, const Instant<Real>& limit);
   void schedule(std::int32_t i);
   bool is_past(const Instant<Real>& limit, const Real& next) const;
+  Real earliest_time() const;
   void require_possible(std::int32_t i) const;
 
   /// What a checkpoint holds besides the spheres and their pending events.

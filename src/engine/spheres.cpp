@@ -114,13 +114,13 @@ void Spheres<Dim, Real>::cross(std::int32_t i, const Crossing& crossing, const R
 /// The step along x, -1, 0 or 1, at which a sphere arrives in the layer above or below.
 template <int Dim, class Real>
 int Spheres<Dim, Real>::column_beyond(const Sphere& sphere, int layers, const Real& when) const {
-  using std::floor;
   const Real& width = box_.cell_width()[0];
   const Real slide = layers * (box_.slide_speed() * when);
   const Real from_left = sphere.position[0] - cells_.coordinates(sphere.cell)[0] * width;
-  const int column = static_cast<int>(floor(static_cast<Real>((from_left - slide) / width)));
+  const Real columns = static_cast<Real>((from_left - slide) / width);
   // The slide is below one cell, so that only rounding could lead beyond two columns.
-  return layers > 0 ? std::clamp(column, -1, 0) : std::clamp(column, 0, 1);
+  if (layers > 0) return columns < 0 ? -1 : 0;
+  return columns < 1 ? 0 : 1;
 }
 
 template <int Dim, class Real>

@@ -34,8 +34,9 @@ TEST(Corpus, OfSummariesIsReadOrRefused) { replay("summary", summary); }
 TEST(Corpus, OfStartsInTextIsReadOrRefused) { replay("start_text", start_text); }
 TEST(Corpus, OfStartsInHdf5IsReadOrRefused) { replay("start_output", start_output); }
 TEST(Corpus, OfOutputFilesIsReadOrRefused) { replay("output_file", output_file); }
-
 TEST(Corpus, OfVerifiedFilesIsReadOrRefused) { replay("verified_file", verified_file); }
+TEST(Corpus, OfJournalsIsReadOrRefused) { replay("journal", journal); }
+TEST(Corpus, OfCheckpointsIsReadOrRefused) { replay("checkpoint", checkpoint); }
 
 }  // namespace
 }  // namespace zenosphere::fuzz
