@@ -61,6 +61,15 @@ Case parse_case(std::string text, const std::string& name, std::span<const std::
   return values;
 }
 
+Case parse_written_case(std::string text, const std::string& name,
+                        std::span<const std::string> overrides) {
+  std::vector<case_format::Entry> entries = case_format::entries_of(text, name);
+  for (auto& entry : entries) entry.key_place.text = entry.value_place.text = name;
+  Case values = CaseDraft(std::move(entries), name).with(overrides);
+  values.text = std::move(text);
+  return values;
+}
+
 std::string resolved_toml(const Case& values) {
   Case copy = values;  // slots point into a case that may be changed
   std::string text;

@@ -1,6 +1,7 @@
 #include "run/recorder.hpp"
 
 #include "model/instantiate.hpp"
+#include "run/snapshot_of.hpp"
 
 namespace zenosphere {
 
@@ -8,9 +9,8 @@ template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file)
     : output_(values.output),
-      gap_threshold_(values.collapse.gap_threshold),
-      clock_unit_(simulation.box().clock_unit()),
-      file_(file) {
+      file_(file),
+      waiting_(values.collapse.gap_threshold, simulation.box().clock_unit()) {
   take_snapshot(simulation);
 }
 
@@ -18,9 +18,8 @@ template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file, ArchiveReader& archive)
     : output_(values.output),
-      gap_threshold_(values.collapse.gap_threshold),
-      clock_unit_(simulation.box().clock_unit()),
-      file_(file) {
+      file_(file),
+      waiting_(values.collapse.gap_threshold, simulation.box().clock_unit()) {
   archive_members(*this, archive);
   schedule_snapshot();
 }
@@ -28,29 +27,7 @@ Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& s
 template <int Dim, class Real>
 void Recorder<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
   if (output_.collision_log == CollisionLog::none) return;
-  observe_next(collision.gap_before);
-  if (waiting_) append(*waiting_);
-  waiting_ = CollisionRow{
-      .k = collision.number,
-      .time = since_start(collision.time, clock_unit_),
-      .i = collision.i,
-      .j = collision.j,
-      .gap = std::numeric_limits<double>::quiet_NaN(),
-      .normal_speed = static_cast<double>(collision.impact.normal_speed),
-      .flags = 0,
-  };
-  if (collision.overlapping) waiting_->flags |= collision_flag::overlap;
-  if (collision.absorbed) waiting_->flags |= collision_flag::absorbed;
-  if (!(collision.impact.normal_speed > 0)) waiting_->flags |= collision_flag::receding;
-  if (collision.made_elastic) waiting_->flags |= collision_flag::made_elastic;
-  if (!(collision.flight > 0)) waiting_->flags |= collision_flag::clock_stood;
-}
-
-template <int Dim, class Real>
-void Recorder<Dim, Real>::observe_next(const Real& gap) {
-  if (!waiting_) return;
-  waiting_->gap = static_cast<double>(gap);
-  if (gap <= gap_threshold_) waiting_->flags |= collision_flag::hit;
+  if (const auto row = waiting_.observe(collision)) append(*row);
 }
 
 template <int Dim, class Real>
@@ -63,7 +40,7 @@ void Recorder<Dim, Real>::append(const CollisionRow& row) {
 
 template <int Dim, class Real>
 void Recorder<Dim, Real>::take_snapshot(const Simulation<Dim, Real>& simulation) {
-  file_.write(snapshot(simulation));
+  file_.write(snapshot_of(simulation));
   last_snapshot_time_ = simulation.time();
   last_snapshot_step_ = simulation.collisions();
   if (!output_.snapshot_interval) return;
@@ -82,38 +59,10 @@ void Recorder<Dim, Real>::schedule_snapshot() {
 
 template <int Dim, class Real>
 void Recorder<Dim, Real>::finish(const Simulation<Dim, Real>& simulation) {
-  if (waiting_) append(*waiting_);
-  waiting_.reset();
+  if (const auto row = waiting_.release()) append(*row);
   const bool is_new =
       simulation.time() != last_snapshot_time_ || simulation.collisions() != last_snapshot_step_;
-  if (is_new) file_.write(snapshot(simulation));
-}
-
-template <int Dim, class Real>
-Snapshot Recorder<Dim, Real>::snapshot(const Simulation<Dim, Real>& simulation) const {
-  const auto& box = simulation.box();
-  Snapshot snapshot{.step = simulation.collisions(),
-                    .time = simulation.time(),
-                    .positions = {},
-                    .velocities = {},
-                    .box_edges = std::vector<double>(Dim * Dim, 0.0)};
-  for (int axis = 0; axis < Dim; ++axis) {
-    snapshot.box_edges[static_cast<std::size_t>(axis * (Dim + 1))] =
-        static_cast<double>(box.sides()[axis]);
-  }
-  if constexpr (Dim > 1) {
-    snapshot.box_edges[Dim] = static_cast<double>(simulation.lees_edwards_offset());
-  }
-  const Configuration<Dim, Real> state = simulation.configuration();
-  for (std::size_t i = 0; i < state.positions.size(); ++i) {
-    auto velocity = state.velocities[i];
-    velocity[0] += box.profile(state.positions[i]);
-    for (int axis = 0; axis < Dim; ++axis) {
-      snapshot.positions.push_back(static_cast<double>(state.positions[i][axis]));
-      snapshot.velocities.push_back(static_cast<double>(velocity[axis]));
-    }
-  }
-  return snapshot;
+  if (is_new) file_.write(snapshot_of(simulation));
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Recorder<Dim, Real>;

@@ -1,0 +1,53 @@
+#include "run/snapshot_of.hpp"
+
+#include "model/instantiate.hpp"
+
+namespace zenosphere {
+
+template <int Dim, class Real>
+Snapshot snapshot_of(const Simulation<Dim, Real>& simulation) {
+  const auto& box = simulation.box();
+  Snapshot snapshot{.step = simulation.collisions(),
+                    .time = simulation.time(),
+                    .positions = {},
+                    .velocities = {},
+                    .box_edges = std::vector<double>(Dim * Dim, 0.0)};
+  for (int axis = 0; axis < Dim; ++axis) {
+    snapshot.box_edges[static_cast<std::size_t>(axis * (Dim + 1))] =
+        static_cast<double>(box.sides()[axis]);
+  }
+  if constexpr (Dim > 1) {
+    snapshot.box_edges[Dim] = static_cast<double>(simulation.lees_edwards_offset());
+  }
+  const Configuration<Dim, Real> state = simulation.configuration();
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    auto velocity = state.velocities[i];
+    velocity[0] += box.profile(state.positions[i]);
+    for (int axis = 0; axis < Dim; ++axis) {
+      snapshot.positions.push_back(static_cast<double>(state.positions[i][axis]));
+      snapshot.velocities.push_back(static_cast<double>(velocity[axis]));
+    }
+  }
+  return snapshot;
+}
+
+template <int Dim, class Real>
+std::vector<double> peculiar_velocities_of(const Simulation<Dim, Real>& simulation) {
+  std::vector<double> velocities;
+  velocities.reserve(static_cast<std::size_t>(simulation.spheres()) * Dim);
+  for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
+    const auto velocity = simulation.peculiar_velocity(i);
+    for (int axis = 0; axis < Dim; ++axis) {
+      velocities.push_back(static_cast<double>(velocity[axis]));
+    }
+  }
+  return velocities;
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                 \
+  template Snapshot snapshot_of<Dim, Real>(const Simulation<Dim, Real>&); \
+  template std::vector<double> peculiar_velocities_of<Dim, Real>(const Simulation<Dim, Real>&);
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere
