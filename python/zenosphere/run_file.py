@@ -10,16 +10,9 @@ import numpy as np
 
 from . import dissection
 from .errors import InputError
+from .flags import ABSORBED, CLOCK_STOOD, HIT, MADE_ELASTIC, OVERLAP, RECEDING  # noqa: F401
 
 FORMAT_VERSION = 1
-
-# Bits of /collisions/flags.
-HIT = 1  # gap <= threshold
-OVERLAP = 2  # the overlap rule was used
-ABSORBED = 4  # no bit of a velocity changed
-RECEDING = 8  # receding by rounding, no impulse
-CLOCK_STOOD = 16  # the clock did not move forward
-MADE_ELASTIC = 32  # by the TC model
 
 COLUMNS = ("k", "time", "i", "j", "gap", "normal_speed", "flags")
 

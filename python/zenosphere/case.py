@@ -1,0 +1,73 @@
+"""A checked case: what a run is started from."""
+
+import os
+import tomllib
+from collections.abc import Mapping
+from typing import Any
+
+from . import _core
+from .toml_text import override_texts, tables_text
+
+Overrides = Mapping[str, Any]
+
+
+class Case:
+    """One run as its user describes it (docs/case-file.md lists the keys), checked.
+
+    Units: sphere diameter = mass = 1, times in the case's own unit.
+
+    tables: the case as nested dicts, `{"system": {"spheres": 108, ...}, ...}`; numbers may be NumPy's
+    overrides: `{"system.restitution": 0.2}`, as `--set` of the program
+    name: what the messages call the case; a relative `start.file` is meant from its folder
+    Raises InputError, one line for each problem, with the texts of the program. In a case from a dict
+    they name the key, `case: system.restitution = 1.2 (must be in [0, 1]; 1 is elastic)`.
+    """
+
+    def __init__(self, tables: Mapping[str, Mapping[str, Any]], *,
+                 overrides: Overrides | None = None, name: str = "case") -> None:
+        self._core = _core.Case.parse_written(tables_text(tables, name), name,
+                                              override_texts(overrides))
+
+    @classmethod
+    def read(cls, file: str | os.PathLike[str], *, overrides: Overrides | None = None) -> "Case":
+        """The case of a TOML file; problems name `file:line:column`."""
+        return cls._of(_core.Case.read(os.fspath(file), override_texts(overrides)))
+
+    @classmethod
+    def parse(cls, text: str, *, overrides: Overrides | None = None, name: str = "case") -> "Case":
+        """The case of a TOML text; problems name `name:line:column`."""
+        return cls._of(_core.Case.parse(text, name, override_texts(overrides)))
+
+    @classmethod
+    def _of(cls, core: _core.Case) -> "Case":
+        case = cls.__new__(cls)
+        case._core = core
+        return case
+
+    @property
+    def text(self) -> str:
+        """The TOML text that the case was read from, without overrides."""
+        return self._core.text
+
+    @property
+    def resolved(self) -> str:
+        """A complete TOML text: every key that has a value, defaults and overrides included.
+
+        `Case.parse` makes the same case of it, bit for bit.
+        """
+        return self._core.resolved
+
+    @property
+    def tables(self) -> dict[str, dict[str, Any]]:
+        """The same as nested dicts."""
+        return tomllib.loads(self.resolved)
+
+    @property
+    def derived(self) -> str:
+        """What follows from the case, for people, as `zenosphere check` prints it."""
+        return self._core.derived
+
+    def __repr__(self) -> str:
+        system = self.tables["system"]
+        return (f"<zenosphere.Case: {system['spheres']} spheres, {system['dimension']} dimensions,"
+                f" restitution {system.get('restitution')}>")

@@ -1,0 +1,203 @@
+"""A run that Python drives, chunk by chunk."""
+
+import json
+import operator
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from .case import Case, Overrides
+from .toml_text import override_texts
+
+COLLISION_DTYPE: np.dtype[np.void] = _core.collision_dtype
+"""A row of the collision log, named as the datasets of /collisions in an output file:
+
+k int64 (number, from 1), time float64, i and j int32 (spheres from 0, i < j; j = N and N + 1 are the
+walls), gap float64 (of the pair that collides next, diameters), normal_speed float64 (diameters/time),
+flags uint8 (sum of the bits in `zenosphere.flags`).
+"""
+
+
+@dataclass(frozen=True)
+class State:
+    """The N spheres in D dimensions at one time, in the laboratory frame.
+
+    The engine keeps each sphere in the sliding frame of its layer and as it was at its own last event;
+    so every array is a fresh copy, C-contiguous float64, that stays as it is while the run goes on.
+
+    collisions: done so far
+    time: since the start
+    positions: (N, D), diameters, every component in [0, side)
+    velocities: (N, D), laboratory, diameters/time
+    peculiar_velocities: (N, D), relative to the imposed shear profile, diameters/time
+    box_edges: (D, D), diameters; the rows are the box vectors, the second with the Lees-Edwards offset
+    """
+
+    collisions: int
+    time: float
+    positions: NDArray[np.float64]
+    velocities: NDArray[np.float64]
+    peculiar_velocities: NDArray[np.float64]
+    box_edges: NDArray[np.float64]
+
+    @property
+    def granular_temperature(self) -> float:
+        """Mean square of one component of the peculiar velocity now, (diameter/time)^2."""
+        return float(np.mean(self.peculiar_velocities**2))
+
+
+class Run:
+    """A run that goes on as far as it is told.
+
+    In chunks it gives the same bits as the program in one go, in its summary and its output file. While
+    it goes on, other Python threads run, and Ctrl-C works: the KeyboardInterrupt comes out of the call
+    and the run is as good as before. One thread at a time may use a run; `stop` may be called by any.
+
+    As a context manager it is finished at the end of the block, whatever happened there, so that its
+    output can be read and resumed.
+
+    case: a Case, nested dicts as for `Case(...)`, or the path of a TOML file
+    overrides: `{"system.restitution": 0.2}`, as `--set` of the program; not for a Case
+    output: where to keep snapshots and collisions (HDF5, as `zenosphere run -o`); None keeps nothing
+    overwrite: replace an existing output
+    Raises InputError where the case is wrong, OutputError where the output cannot be written.
+    """
+
+    def __init__(self, case: Case | Mapping[str, Mapping[str, Any]] | str | os.PathLike[str], *,
+                 overrides: Overrides | None = None, output: str | os.PathLike[str] | None = None,
+                 overwrite: bool = False) -> None:
+        start = _core.Run.start_replacing if overwrite else _core.Run.start
+        self._core = start(_checked(case, overrides)._core,
+                           None if output is None else os.fspath(output))
+
+    @classmethod
+    def resume(cls, output: str | os.PathLike[str], *, overrides: Overrides | None = None) -> "Run":
+        """Goes on with a run from the last checkpoint of its output file.
+
+        overrides: as `--set` of `zenosphere resume`; a run that has ended needs a larger limit, for
+        instance `{"run.collisions": 3_000_000}`
+        Raises InputError where the file cannot be resumed, OutputError where it cannot be written.
+        """
+        run = cls.__new__(cls)
+        run._core = _core.Run.resume(os.fspath(output), override_texts(overrides))
+        return run
+
+    def advance(self, collisions: int | None = None, *,
+                until: float | None = None) -> NDArray[np.void]:
+        """Goes on, and returns the collisions as a structured array (K,) of `COLLISION_DTYPE`.
+
+        Ends after `collisions` more of them, at the time `until` since the start, or with the run,
+        whichever comes first; without both, with the run. The array owns its rows, none was copied.
+
+        A row holds the gap of the pair that collides *next*, which is known one collision later. So
+        the last row waits and comes first in the next chunk; at the end of the run it comes at once,
+        with a gap of NaN. The chunks together are /collisions of the output file, row by row.
+        """
+        return self._core.advance(_count(collisions), until)
+
+    def skip(self, collisions: int | None = None, *, until: float | None = None) -> None:
+        """As `advance`, without keeping the collisions: for long stretches nobody looks at."""
+        self._core.skip(_count(collisions), until)
+
+    def chunks(self, collisions: int = 10_000) -> Iterator[NDArray[np.void]]:
+        """Goes on to the end of the run, and yields its collisions in chunks, as `advance` does."""
+        while not self.is_over:
+            yield self.advance(collisions)
+
+    def state(self) -> State:
+        """Positions and velocities now; copies, see `State`."""
+        return State(*self._core.state())
+
+    def summary(self) -> dict[str, Any]:
+        """What the run came to so far, as `--json` prints it (docs/summary.md).
+
+        `outcome` is "unfinished" until the run is over.
+        """
+        summary: dict[str, Any] = json.loads(self._core.summary())
+        return summary
+
+    @property
+    def separation(self) -> dict[str, Any]:
+        """The separation criterion so far: hits, first_collision, first_time, last_collision."""
+        return self.summary()["separation"]
+
+    @property
+    def arrest(self) -> dict[str, Any]:
+        """The arrest criterion so far: met, collision, time, window, pairs, ..."""
+        return self.summary()["arrest"]
+
+    @property
+    def verdict(self) -> str:
+        """The verdict if the run ended here: none | temporary | open | true."""
+        return self.summary()["verdict"]
+
+    @property
+    def case(self) -> Case:
+        """The case of the run."""
+        return Case._of(self._core.case)
+
+    @property
+    def collisions(self) -> int:
+        """Collisions done."""
+        return self._core.collisions
+
+    @property
+    def time(self) -> float:
+        """Time since the start, in the case's unit."""
+        return self._core.time
+
+    @property
+    def is_over(self) -> bool:
+        """Whether a limit of the case has been reached, the system collapsed, or `stop` was called."""
+        return self._core.is_over
+
+    def stop(self) -> None:
+        """Ends the run at its next collision; may be called by any thread while it goes on."""
+        self._core.stop()
+
+    def save(self) -> None:
+        """Makes a checkpoint now: `resume` goes on from here, whatever happens to this process.
+
+        Raises InputError where the run has no output, OutputError where it cannot be written.
+        """
+        self._core.save()
+
+    def finish(self) -> dict[str, Any]:
+        """Ends the run, writes the rest of its output, and returns its summary.
+
+        A run that is not over gets the outcome "interrupted"; `resume` goes on with it. Called again
+        it only returns the summary.
+        """
+        summary: dict[str, Any] = json.loads(self._core.finish())
+        return summary
+
+    def __enter__(self) -> "Run":
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 traceback: TracebackType | None) -> None:
+        self.finish()
+
+    def __repr__(self) -> str:
+        return f"<zenosphere.Run: {self.collisions} collisions, time {self.time:.6g}>"
+
+
+def _checked(case: Case | Mapping[str, Mapping[str, Any]] | str | os.PathLike[str],
+             overrides: Overrides | None) -> Case:
+    if isinstance(case, Case):
+        if overrides:
+            raise TypeError("Run: overrides are for a dict or a file; give them to the Case")
+        return case
+    if isinstance(case, Mapping):
+        return Case(case, overrides=overrides)
+    return Case.read(case, overrides=overrides)
+
+
+def _count(collisions: int | None) -> int | None:
+    return None if collisions is None else operator.index(collisions)

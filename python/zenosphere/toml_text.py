@@ -1,0 +1,62 @@
+"""Python values as TOML text: Python's library reads TOML, but writes none."""
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from numbers import Integral, Real
+from typing import Any
+
+from .errors import InputError
+
+
+def tables_text(tables: Mapping[str, Mapping[str, Any]], name: str) -> str:
+    """A TOML text of tables of values.
+
+    tables: `{"system": {"restitution": 0.2}}`; a value is a bool, a number, a text or a sequence
+    of those, NumPy's included
+    name: what error messages begin with
+    Raises InputError for what TOML cannot say.
+    """
+    lines = []
+    for table, values in tables.items():
+        if not isinstance(values, Mapping):
+            raise InputError(f"{name}: {table} = {values!r} (is a table, not a key); give its keys as"
+                             f" {{{table!r}: {{...}}}}")
+        lines += ["", f"[{_key(table)}]"]
+        lines += [f"{_key(key)} = {value_text(value, f'{name}: {table}.{key}')}"
+                  for key, value in values.items()]
+    return "\n".join(lines[1:]) + "\n"
+
+
+def override_texts(overrides: Mapping[str, Any] | None) -> list[str]:
+    """`{"system.restitution": 0.2}` as the arguments of `--set`."""
+    return [f"{key}={value_text(value, f'--set {key}')}"
+            for key, value in (overrides or {}).items()]
+
+
+def value_text(value: Any, where: str) -> str:
+    """One value; real numbers so that they read back to the same bits."""
+    if hasattr(value, "tolist"):  # a NumPy array or scalar
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, Integral):
+        return str(int(value))
+    if isinstance(value, Real):
+        return _real_text(float(value))
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, Sequence):
+        return "[" + ", ".join(value_text(item, where) for item in value) + "]"
+    raise InputError(f"{where} = {value!r} (a {type(value).__name__}, which TOML has not); give a"
+                     " number, a text, a bool or a list of them")
+
+
+def _real_text(number: float) -> str:
+    return repr(number) if math.isfinite(number) else str(number)  # inf and nan are TOML
+
+
+def _key(name: str) -> str:
+    bare = name and all(letter.isascii() and (letter.isalnum() or letter in "_-")
+                        for letter in name)
+    return name if bare else json.dumps(name, ensure_ascii=False)
