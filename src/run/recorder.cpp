@@ -9,8 +9,8 @@ template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file)
     : output_(values.output),
-      file_(file),
-      waiting_(values.collapse.gap_threshold, simulation.box().clock_unit()) {
+      log_(values.collapse.gap_threshold, simulation.box().clock_unit()),
+      file_(file) {
   take_snapshot(simulation);
 }
 
@@ -18,8 +18,8 @@ template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file, ArchiveReader& archive)
     : output_(values.output),
-      file_(file),
-      waiting_(values.collapse.gap_threshold, simulation.box().clock_unit()) {
+      log_(values.collapse.gap_threshold, simulation.box().clock_unit()),
+      file_(file) {
   archive_members(*this, archive);
   schedule_snapshot();
 }
@@ -27,7 +27,14 @@ Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& s
 template <int Dim, class Real>
 void Recorder<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
   if (output_.collision_log == CollisionLog::none) return;
-  if (const auto row = waiting_.observe(collision)) append(*row);
+  observe_next(collision.gap_before);
+  if (waiting_) append(*waiting_);
+  waiting_ = log_.row_of(collision);
+}
+
+template <int Dim, class Real>
+void Recorder<Dim, Real>::observe_next(const Real& gap) {
+  if (waiting_) log_.complete(*waiting_, gap);
 }
 
 template <int Dim, class Real>
@@ -59,7 +66,8 @@ void Recorder<Dim, Real>::schedule_snapshot() {
 
 template <int Dim, class Real>
 void Recorder<Dim, Real>::finish(const Simulation<Dim, Real>& simulation) {
-  if (const auto row = waiting_.release()) append(*row);
+  if (waiting_) append(*waiting_);
+  waiting_.reset();
   const bool is_new =
       simulation.time() != last_snapshot_time_ || simulation.collisions() != last_snapshot_step_;
   if (is_new) file_.write(snapshot_of(simulation));

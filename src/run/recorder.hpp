@@ -6,11 +6,14 @@
 #include "engine/simulation.hpp"
 #include "io/case.hpp"
 #include "io/output_file.hpp"
-#include "run/waiting_row.hpp"
+#include "run/log_rows.hpp"
 
 namespace zenosphere {
 
 /// Writes what a run does into its output file, as the case asks: collisions and snapshots.
+///
+/// A row of the collision log holds the gap of the pair that collides *next*; so each row waits
+/// for the collision after it.
 template <int Dim, class Real>
 class Recorder {
  public:
@@ -25,7 +28,7 @@ class Recorder {
   void observe(const Collision<Dim, Real>& collision);
 
   /// The gap, at the collision observed last, of the pair that collides next.
-  void observe_next(const Real& gap) { waiting_.observe_next(gap); }
+  void observe_next(const Real& gap);
 
   /// Time at which the next snapshot is due; infinity if none is.
   double next_snapshot() const { return next_snapshot_; }
@@ -47,8 +50,9 @@ class Recorder {
   void schedule_snapshot();
 
   const Case::Output output_;
+  LogRows<Dim, Real> log_;
   OutputFile& file_;
-  WaitingRow<Dim, Real> waiting_;
+  std::optional<CollisionRow> waiting_;
   std::int64_t snapshots_ = 0;  ///< of the regular ones
   double next_snapshot_ = std::numeric_limits<double>::infinity();
   double last_snapshot_time_ = -1;

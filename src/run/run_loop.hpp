@@ -8,6 +8,7 @@
 
 #include "io/case_file.hpp"
 #include "run/checkpoint_cadence.hpp"
+#include "run/log_rows.hpp"
 #include "run/observers.hpp"
 #include "run/random_driving.hpp"
 #include "run/recorder.hpp"
@@ -16,7 +17,6 @@
 #include "run/state_head.hpp"
 #include "run/stepped_run.hpp"
 #include "run/stopwatch.hpp"
-#include "run/waiting_row.hpp"
 
 namespace zenosphere {
 
@@ -52,7 +52,7 @@ class Run final : public SteppedRun {
         simulation_(std::move(simulation)),
         driving_(values),
         observers_(values, simulation_),
-        waiting_(values.collapse.gap_threshold, simulation_.box().clock_unit()),
+        rows_({values.collapse.gap_threshold, simulation_.box().clock_unit()}),
         cadence_(values.output, simulation_.collisions()) {}
 
   void advance(const Piece& piece, std::vector<CollisionRow>* rows) override {
@@ -61,13 +61,14 @@ class Run final : public SteppedRun {
       if (const auto collision = simulation_.collision_until(next_stop())) {
         observers_.observe(*collision, simulation_);
         if (recorder_) recorder_->observe(*collision);
-        if (rows_) keep_row(*collision);
+        rows_.observe(*collision);
       } else if (simulation_.is_waiting()) {
         pause();
       }
       attend_to_the_clock();
     }
-    if (is_over()) release_row();
+    if (!is_over()) rows_.pause();
+    if (const auto& pair = simulation_.stopped_before()) rows_.observe_next(pair->gap);
   }
 
   bool is_over() const override { return !ended_by_.empty(); }
@@ -112,21 +113,10 @@ class Run final : public SteppedRun {
     last_time_ = piece.time;
     last_second_ = stopwatch_.seconds() + piece.seconds;
     is_stopped_ = false;
-    if (!rows) waiting_.release();
-    rows_ = rows;
+    rows_.begin(rows);
   }
 
   bool is_piece_done() const { return is_stopped_ || simulation_.collisions() >= last_collision_; }
-
-  void keep_row(const Collision<Dim, Real>& collision) {
-    if (const auto row = waiting_.observe(collision)) rows_->push_back(*row);
-  }
-
-  /// No collision comes any more that the last row could wait for.
-  void release_row() {
-    if (const auto& pair = simulation_.stopped_before()) waiting_.observe_next(pair->gap);
-    if (const auto row = waiting_.release(); row && rows_) rows_->push_back(*row);
-  }
 
   /// Sets why the run ends, once it does.
   bool is_ending() {
@@ -279,8 +269,7 @@ class Run final : public SteppedRun {
   Simulation<Dim, Real> simulation_;
   RandomDriving<Dim, Real> driving_;
   Observers<Dim, Real> observers_;
-  WaitingRow<Dim, Real> waiting_;  ///< for who drives the run
-  std::vector<CollisionRow>* rows_ = nullptr;
+  RowCollector<Dim, Real> rows_;     ///< for who drives the run
   std::int64_t last_collision_ = 0;  ///< of the piece; likewise
   double last_time_ = 0, last_second_ = 0;
   double stopped_at_ = 0;    ///< the latest end of a piece that came before the next event

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "io/records.hpp"
+#include "model/collision.hpp"
+
+namespace zenosphere {
+
+/// Makes rows of the collision log. A row holds the gap of the pair that collides *next*, so it is
+/// complete only one collision later.
+template <int Dim, class Real>
+class LogRows {
+ public:
+  /// \param gap_threshold  of the separation criterion, diameters
+  /// \param clock_unit     of the simulation's clock
+  LogRows(const Real& gap_threshold, const Real& clock_unit)
+      : gap_threshold_(gap_threshold), clock_unit_(clock_unit) {}
+
+  /// The row of a collision, its gap NaN.
+  CollisionRow row_of(const Collision<Dim, Real>& collision) const {
+    CollisionRow row{
+        .k = collision.number,
+        .time = since_start(collision.time, clock_unit_),
+        .i = collision.i,
+        .j = collision.j,
+        .gap = std::numeric_limits<double>::quiet_NaN(),
+        .normal_speed = static_cast<double>(collision.impact.normal_speed),
+        .flags = 0,
+    };
+    if (collision.overlapping) row.flags |= collision_flag::overlap;
+    if (collision.absorbed) row.flags |= collision_flag::absorbed;
+    if (!(collision.impact.normal_speed > 0)) row.flags |= collision_flag::receding;
+    if (collision.made_elastic) row.flags |= collision_flag::made_elastic;
+    if (!(collision.flight > 0)) row.flags |= collision_flag::clock_stood;
+    return row;
+  }
+
+  /// Adds to a row the gap, then, of the pair that collides next.
+  void complete(CollisionRow& row, const Real& gap) const {
+    row.gap = static_cast<double>(gap);
+    if (gap <= gap_threshold_) row.flags |= collision_flag::hit;
+  }
+
+ private:
+  Real gap_threshold_;
+  Real clock_unit_;
+};
+
+/// Gathers the rows of a run piece by piece; the row that is not complete yet waits here from one
+/// piece to the next.
+template <int Dim, class Real>
+class RowCollector {
+ public:
+  explicit RowCollector(const LogRows<Dim, Real>& log) : log_(log) {}
+
+  /// \param rows  those of the piece are appended to it; null: nobody wants them
+  void begin(std::vector<CollisionRow>* rows) {
+    rows_ = rows;
+    if (rows_ && waiting_) rows_->push_back(*waiting_);
+    is_open_ = rows_ && waiting_;
+    waiting_.reset();
+  }
+
+  /// To be called once after each collision of the piece, in order.
+  void observe(const Collision<Dim, Real>& collision) {
+    if (!rows_) return;
+    observe_next(collision.gap_before);
+    rows_->push_back(log_.row_of(collision));
+    is_open_ = true;
+  }
+
+  /// The gap, at the collision observed last, of the pair that collides next.
+  void observe_next(const Real& gap) {
+    if (is_open_) log_.complete(rows_->back(), gap);
+  }
+
+  /// Ends a piece that is not the last: its last row waits.
+  void pause() {
+    if (!is_open_) return;
+    waiting_ = rows_->back();
+    rows_->pop_back();
+    is_open_ = false;
+  }
+
+ private:
+  LogRows<Dim, Real> log_;
+  std::vector<CollisionRow>* rows_ = nullptr;
+  bool is_open_ = false;  ///< the last row of the piece lacks its gap
+  std::optional<CollisionRow> waiting_;
+};
+
+}  // namespace zenosphere
