@@ -1,11 +1,15 @@
 """Makes `zenosphere` importable without installation, and runs that need no simulator."""
 
+import importlib.util
 import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+CHECKOUT = Path(__file__).resolve().parents[2]
+if importlib.util.find_spec("zenosphere") is None:  # pytest by hand; ctest says where it is
+    sys.path[:0] = [str(CHECKOUT / "build" / "python"), str(CHECKOUT / "python")]
+sys.path.append(str(CHECKOUT / "tests" / "program"))  # identity.py
 
 from synthetic import false_positive, true_collapse, write_run  # noqa: E402
 
