@@ -3,14 +3,12 @@
 
     PYTHONPATH=build/python /usr/bin/python3 examples/python/custom_criterion.py [COLLISIONS]
 
-The run is stopped at the first chunk in which one pair has the last 1000 collisions of its spheres to itself
-while the clock stands, and the finding is set beside the arrest criterion of the program.
+It is met where one pair has had 1000 collisions in a row while the clock stood still; what it finds is
+set beside the arrest criterion of the program.
 """
 
 import sys
 from pathlib import Path
-
-import numpy as np
 
 import zenosphere
 from zenosphere.flags import CLOCK_STOOD
@@ -24,13 +22,15 @@ class Monopoly:
 
     def observe(self, rows):
         """Takes the next collisions, in order."""
+        if self.met_at:
+            return
         for k, i, j, flags in rows[["k", "i", "j", "flags"]].tolist():
             repeats = (i, j) == self.pair and flags & CLOCK_STOOD
             self.count = self.count + 1 if repeats else 1
             self.pair = (i, j)
             if self.count >= self.window:
                 self.met_at = k
-                return
+                break
 
 
 case = Path(__file__).resolve().parents[1] / "shear-e02.toml"
@@ -39,9 +39,7 @@ with zenosphere.Run(case, overrides={"run.collisions": limit}) as run:
     criterion = Monopoly(window=1000)
     for rows in run.chunks(1000):
         criterion.observe(rows)
-        if criterion.met_at:
-            break
-    arrested = run.arrest["collision"]
 
-print(f"{run.collisions} collisions; least gap of the last chunk {np.nanmin(rows['gap']):.2g}")
-print(f"own criterion: collision {criterion.met_at}, pair {criterion.pair}; arrest: {arrested}")
+print(f"{run.collisions} collisions, verdict {run.verdict}")
+print(f"own criterion: collision {criterion.met_at}, pair {criterion.pair}")
+print(f"arrest:        collision {run.arrest['collision']}, pairs {run.arrest['pairs']}")

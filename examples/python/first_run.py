@@ -6,6 +6,8 @@
 
 import sys
 
+import numpy as np
+
 import zenosphere
 
 CASE = {
@@ -17,8 +19,8 @@ CASE = {
 
 with zenosphere.Run(CASE, output="first_run.h5", overwrite=True) as run:
     for rows in run.chunks(10_000):
-        print(f"collision {run.collisions}, time {run.time:.4f}: smallest gap {rows['gap'].min():.2g},"
-              f" verdict so far {run.verdict}")
+        print(f"collision {run.collisions}, time {run.time:.4f}:"
+              f" smallest gap {np.nanmin(rows['gap']):.2g}, verdict so far {run.verdict}")
 
 summary = run.finish()
 print(f"{summary['outcome']} after {summary['collisions']} collisions: {summary['verdict']}")
