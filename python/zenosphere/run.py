@@ -125,17 +125,20 @@ class Run:
     @property
     def separation(self) -> dict[str, Any]:
         """The separation criterion so far: hits, first_collision, first_time, last_collision."""
-        return self.summary()["separation"]
+        separation: dict[str, Any] = self.summary()["separation"]
+        return separation
 
     @property
     def arrest(self) -> dict[str, Any]:
         """The arrest criterion so far: met, collision, time, window, pairs, ..."""
-        return self.summary()["arrest"]
+        arrest: dict[str, Any] = self.summary()["arrest"]
+        return arrest
 
     @property
     def verdict(self) -> str:
         """The verdict if the run ended here: none | temporary | open | true."""
-        return self.summary()["verdict"]
+        verdict: str = self.summary()["verdict"]
+        return verdict
 
     @property
     def case(self) -> Case:
