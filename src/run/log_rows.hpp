@@ -19,23 +19,21 @@ class LogRows {
   LogRows(const Real& gap_threshold, const Real& clock_unit)
       : gap_threshold_(gap_threshold), clock_unit_(clock_unit) {}
 
-  /// The row of a collision, its gap NaN.
-  CollisionRow row_of(const Collision<Dim, Real>& collision) const {
-    CollisionRow row{
-        .k = collision.number,
-        .time = since_start(collision.time, clock_unit_),
-        .i = collision.i,
-        .j = collision.j,
-        .gap = std::numeric_limits<double>::quiet_NaN(),
-        .normal_speed = static_cast<double>(collision.impact.normal_speed),
-        .flags = 0,
-    };
-    if (collision.overlapping) row.flags |= collision_flag::overlap;
-    if (collision.absorbed) row.flags |= collision_flag::absorbed;
-    if (!(collision.impact.normal_speed > 0)) row.flags |= collision_flag::receding;
-    if (collision.made_elastic) row.flags |= collision_flag::made_elastic;
-    if (!(collision.flight > 0)) row.flags |= collision_flag::clock_stood;
-    return row;
+  /// Makes `row` that of a collision, its gap NaN.
+  void write(const Collision<Dim, Real>& collision, CollisionRow& row) const {
+    const auto flag = [](bool is_set, std::uint8_t bit) { return is_set ? bit : std::uint8_t{0}; };
+    row.k = collision.number;
+    row.time = since_start(collision.time, clock_unit_);
+    row.i = collision.i;
+    row.j = collision.j;
+    row.gap = std::numeric_limits<double>::quiet_NaN();
+    row.normal_speed = static_cast<double>(collision.impact.normal_speed);
+    row.flags = static_cast<std::uint8_t>(
+        flag(collision.overlapping, collision_flag::overlap) |
+        flag(collision.absorbed, collision_flag::absorbed) |
+        flag(!(collision.impact.normal_speed > 0), collision_flag::receding) |
+        flag(collision.made_elastic, collision_flag::made_elastic) |
+        flag(!(collision.flight > 0), collision_flag::clock_stood));
   }
 
   /// Adds to a row the gap, then, of the pair that collides next.
@@ -68,7 +66,7 @@ class RowCollector {
   void observe(const Collision<Dim, Real>& collision) {
     if (!rows_) return;
     observe_next(collision.gap_before);
-    rows_->push_back(log_.row_of(collision));
+    log_.write(collision, rows_->emplace_back());
     is_open_ = true;
   }
 

@@ -29,7 +29,7 @@ void Recorder<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
   if (output_.collision_log == CollisionLog::none) return;
   observe_next(collision.gap_before);
   if (waiting_) append(*waiting_);
-  waiting_ = log_.row_of(collision);
+  log_.write(collision, waiting_.emplace());
 }
 
 template <int Dim, class Real>
