@@ -33,6 +33,7 @@ int run_command_line(int argc, char** argv) {
   add_adjudicate(app, status);
   add_verify(app, status);
   add_sweep(app, status);
+  add_export(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

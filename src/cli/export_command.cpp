@@ -1,0 +1,84 @@
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "cli/command.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/interrupt.hpp"
+#include "export/export_run.hpp"
+#include "io/printable.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+const std::map<std::string, ExportFormat> formats{
+    {"extxyz", ExportFormat::extended_xyz},
+    {"lammps", ExportFormat::lammps},
+    {"vtp", ExportFormat::vtk},
+    {"csv-observables", ExportFormat::csv_observables},
+    {"csv-collisions", ExportFormat::csv_collisions}};
+
+/// What the user typed.
+struct Arguments {
+  std::string file;
+  std::string target;
+  std::string format;
+  Selection selection;
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+int export_output(const Arguments& arguments) {
+  const Export request{.run = arguments.file,
+                       .target = arguments.target,
+                       .format = formats.at(arguments.format),
+                       .selection = arguments.selection,
+                       .existing = arguments.overwrite ? Existing::replace : Existing::refuse,
+                       .interrupt = &catch_signals()};
+  const Exported exported = export_run(request);
+  if (exported.interrupted) return exit_code::interrupted;
+  if (!arguments.quiet) print(printable(to_text(exported, request)));
+  return exit_code::done;
+}
+
+void add_selection(CLI::App& command, Selection& selection) {
+  command
+      .add_option("--from", selection.from,
+                  "first snapshot, counted from 0, -1 is the last; for csv-collisions: first "
+                  "collision")
+      ->capture_default_str();
+  command.add_option("--to", selection.to, "last one, likewise; without: the last there is");
+  command.add_option("--every", selection.every, "one of so many")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command =
+      *app.add_subcommand("export", "write the snapshots or tables of a run for other programs");
+  command.add_option("file", arguments->file, "output file of a run")
+      ->required()
+      ->type_name("OUT.h5");
+  command
+      .add_option("--format", arguments->format,
+                  "of OVITO and ASE (extxyz); OVITO, VMD, MDAnalysis and ASE (lammps); ParaView "
+                  "(vtp: NAME.pvd and a folder of frames); tables")
+      ->required()
+      ->check(CLI::IsMember(&formats))
+      ->type_name("FORMAT");
+  command.add_option("-o,--output", arguments->target, "file to write")
+      ->required()
+      ->type_name("FILE");
+  add_selection(command, arguments->selection);
+  command.add_flag("--overwrite", arguments->overwrite, "replace what is there");
+  command.add_flag("--quiet", arguments->quiet, "print nothing");
+  command.callback([arguments, &status] { status = export_output(*arguments); });
+}
+
+}  // namespace zenosphere

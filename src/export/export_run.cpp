@@ -1,0 +1,252 @@
+#include "export/export_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "export/extended_xyz_frame.hpp"
+#include "export/lammps_dump.hpp"
+#include "export/new_file.hpp"
+#include "export/sphere_collisions.hpp"
+#include "export/tables.hpp"
+#include "export/vtk_frame.hpp"
+#include "io/case_box.hpp"
+#include "io/case_file.hpp"
+#include "io/recorded_run.hpp"
+#include "io/rehearsal.hpp"
+#include "model/errors.hpp"
+
+namespace zenosphere {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether the format has a place for how often each sphere has collided.
+bool shows_spheres(ExportFormat format) { return format < ExportFormat::csv_observables; }
+
+/// Reads once all that will be read.
+void read_everything(const Export& request) {
+  const RecordedRun run(request.run);
+  if (request.format != ExportFormat::csv_collisions) {
+    const auto numbers = selected_snapshots(request.selection, run.snapshots(), request.run);
+    for (std::int64_t n = numbers.first; n <= numbers.last; n += numbers.step) run.snapshot(n);
+  }
+  if (request.format == ExportFormat::csv_observables) return;
+  for (std::int64_t n = 0; n < run.log_pieces(); ++n) run.log_piece(n);
+}
+
+/// The case of a run, if it is that of its data.
+Case case_of(const RecordedRun& run, const fs::path& path) {
+  Case values = parse_case(run.info().resolved_case, path.string() + ", its case", {});
+  const OutputInfo& info = run.info();
+  if (values.system.spheres == info.spheres && values.system.dimension == info.dimension) {
+    return values;
+  }
+  throw InputError(fmt::format(
+      "{}: has {} spheres in {} dimensions (its case has {} in {}); it is damaged", path.string(),
+      info.spheres, info.dimension, values.system.spheres, values.system.dimension));
+}
+
+/// Throws where a viewer could not place a sphere.
+void require_numbers(const Snapshot& snapshot, int dimension, const fs::path& path) {
+  for (std::size_t at = 0; at < snapshot.positions.size(); ++at) {
+    if (std::isfinite(snapshot.positions[at]) && std::isfinite(snapshot.velocities[at])) continue;
+    throw InputError(fmt::format(
+        "{}: sphere {} is at {} with velocity {} at collision {} (no numbers to show); zenosphere "
+        "verify {} tells more",
+        path.string(), at / static_cast<std::size_t>(dimension), snapshot.positions[at],
+        snapshot.velocities[at], snapshot.step, path.string()));
+  }
+}
+
+/// Where the frames of a collection go: beside it.
+fs::path folder_of_frames(const fs::path& collection) {
+  fs::path folder = collection;
+  folder.replace_extension();
+  folder += "-frames";
+  return folder;
+}
+
+class Exporter {
+ public:
+  explicit Exporter(const Export& request)
+      : request_(request),
+        run_(request.run),
+        values_(case_of(run_, request.run)),
+        counts_(run_, request.run) {
+    exported_.spheres = run_.info().spheres;
+    exported_.complete = run_.info().complete;
+  }
+
+  Exported go() {
+    switch (request_.format) {
+      case ExportFormat::extended_xyz:
+        write_frames("", append_extended_xyz);
+        break;
+      case ExportFormat::lammps:
+        write_frames("", append_lammps_dump);
+        break;
+      case ExportFormat::csv_observables:
+        write_frames(observables_header(values_.system.dimension),
+                     [&](NewFile& file, const Frame& frame) {
+                       file.write(observables_row(frame, values_.drive.shear_rate));
+                     });
+        break;
+      case ExportFormat::vtk:
+        write_collection();
+        break;
+      case ExportFormat::csv_collisions:
+        write_collisions();
+        break;
+    }
+    return exported_;
+  }
+
+ private:
+  bool is_interrupted() {
+    exported_.interrupted = request_.interrupt != nullptr && *request_.interrupt;
+    return exported_.interrupted;
+  }
+
+  Frame frame(std::int64_t n) {
+    Frame frame{.number = n, .dimension = values_.system.dimension, .snapshot = run_.snapshot(n)};
+    require_numbers(frame.snapshot, frame.dimension, request_.run);
+    frame.cell = cell_of(frame.snapshot, frame.dimension, closed_axis(values_), request_.run);
+    if (exported_.collisions_are_counted) frame.collisions = counts_.up_to(frame.snapshot.step);
+    return frame;
+  }
+
+  /// Calls `action(frame)` for the frames that are selected. Returns whether it came to the end.
+  template <class Action>
+  bool for_each_frame(Action action) {
+    const Numbers numbers = selected_snapshots(request_.selection, run_.snapshots(), request_.run);
+    const std::int64_t last = numbers.last - (numbers.last - numbers.first) % numbers.step;
+    exported_.collisions_are_counted =
+        shows_spheres(request_.format) && counts_.reaches(run_.snapshot(last).step);
+    for (std::int64_t n = numbers.first; n <= last; n += numbers.step) {
+      if (is_interrupted()) return false;
+      action(frame(n));
+      ++exported_.written;
+    }
+    return true;
+  }
+
+  /// Calls `action(row)` for the collisions that are selected, likewise.
+  template <class Action>
+  bool for_each_collision(Action action) {
+    const Numbers numbers = selected_collisions(request_.selection, request_.run);
+    for (std::int64_t n = 0; n < run_.log_pieces(); ++n) {
+      if (is_interrupted()) return false;
+      for (const CollisionRow& row : run_.log_piece(n)) {
+        if (!numbers.contain(row.k)) continue;
+        action(row);
+        ++exported_.written;
+      }
+    }
+    return true;
+  }
+
+  /// All frames in one file.
+  template <class Append>
+  void write_frames(const std::string& header, Append append) {
+    Draft draft(request_.target, Draft::Kind::file, request_.existing);
+    NewFile file(draft.path(), request_.target);
+    file.write(header);
+    if (!for_each_frame([&](const Frame& frame) { append(file, frame); })) return;
+    file.close();
+    draft.put_in_place();
+  }
+
+  void write_collisions() {
+    Draft draft(request_.target, Draft::Kind::file, request_.existing);
+    NewFile file(draft.path(), request_.target);
+    file.write(collisions_header());
+    if (!for_each_collision([&](const CollisionRow& row) { file.write(collisions_row(row)); })) {
+      return;
+    }
+    if (exported_.written == 0) {
+      throw InputError(
+          fmt::format("{}: its log holds no collision that is selected (it has {}); "
+                      "choose others, or run with output.collision_log = \"all\"",
+                      request_.run.string(), run_.info().logged_collisions));
+    }
+    file.close();
+    draft.put_in_place();
+  }
+
+  /// A file for each frame in a folder, and the collection that tells their times.
+  void write_collection() {
+    Draft draft(request_.target, Draft::Kind::file, request_.existing);
+    const fs::path folder = folder_of_frames(request_.target);
+    Draft frames(folder, Draft::Kind::folder, request_.existing);
+    std::vector<TimedFile> files;
+    const bool is_whole = for_each_frame([&](const Frame& frame) {
+      const fs::path name = frame_name(frame.number);
+      NewFile file(frames.path() / name, folder / name);
+      write_vtk_frame(file, frame);
+      file.close();
+      files.push_back({frame.snapshot.time, folder.filename() / name});
+    });
+    if (!is_whole) return;
+    NewFile collection(draft.path(), request_.target);
+    collection.write(vtk_collection(files));
+    collection.close();
+    frames.put_in_place();
+    draft.put_in_place();
+  }
+
+  const Export& request_;
+  RecordedRun run_;
+  Case values_;
+  SphereCollisions counts_;
+  Exported exported_;
+};
+
+/// Throws where the target is what is read, or has a name that says something else.
+void require_fitting_target(const Export& request) {
+  if (request.target.empty()) {
+    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
+  }
+  const auto identity = identity_of(request.target);
+  if (identity &&
+      (identity == identity_of(request.run) || identity == identity_of(journal_of(request.run)))) {
+    throw OutputError(request.target.string() + ": is the run itself; choose another name");
+  }
+  if (request.format != ExportFormat::vtk || request.target.extension() == ".pvd") return;
+  throw InputError(fmt::format(
+      "{}: has not the name of a collection (format vtp writes NAME.pvd, and a file for each "
+      "snapshot in NAME-frames); choose one that ends in .pvd",
+      request.target.string()));
+}
+
+std::int64_t bytes_of(const fs::path& path) {
+  std::error_code failure;
+  const auto bytes = fs::file_size(path, failure);
+  return failure ? 0 : static_cast<std::int64_t>(bytes);
+}
+
+}  // namespace
+
+Exported export_run(const Export& request) {
+  require_fitting_target(request);
+  rehearse(request.run, bytes_of(request.run) + bytes_of(journal_of(request.run)),
+           [&] { read_everything(request); });
+  return Exporter(request).go();
+}
+
+std::string to_text(const Exported& exported, const Export& request) {
+  const bool has_rows = request.format == ExportFormat::csv_collisions;
+  std::string text =
+      fmt::format("{}: {} {} of {} spheres\n", request.target.string(), exported.written,
+                  has_rows ? "collisions" : "snapshots", exported.spheres);
+  if (!exported.complete) text += "  the run has not ended: up to its last checkpoint\n";
+  if (shows_spheres(request.format) && !exported.collisions_are_counted) {
+    text +=
+        "  without the collisions of each sphere: the log does not hold all of them from the "
+        "first on\n";
+  }
+  return text;
+}
+
+}  // namespace zenosphere

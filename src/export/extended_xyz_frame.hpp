@@ -1,0 +1,16 @@
+#pragma once
+
+#include "export/frame.hpp"
+#include "export/new_file.hpp"
+
+namespace zenosphere {
+
+/// Appends a frame of extended XYZ, which OVITO and ASE read and a case can start from.
+///
+/// Columns: species X, id (the sphere, from 0), pos (in the upright box), velo, radius and, where
+/// known, collisions. Lattice holds the rows of the cell and Origin, which only OVITO reads, its
+/// corner. Numbers have the digits that give the same bits when they are read.
+/// Source: https://github.com/libAtoms/extxyz
+void append_extended_xyz(NewFile& file, const Frame& frame);
+
+}  // namespace zenosphere

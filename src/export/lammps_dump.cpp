@@ -1,0 +1,46 @@
+#include "export/lammps_dump.hpp"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+namespace zenosphere {
+namespace {
+
+/// The box: its bounds are those of the leaning cell, which are wider along x.
+std::string header(const Frame& frame) {
+  const Cell& cell = frame.cell;
+  const auto flags = [&](std::size_t axis) { return cell.periodic[axis] ? "pp" : "ff"; };
+  return fmt::format(
+      "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS xy xz yz {} {} {}\n"
+      "{} {} {}\n{} {} 0\n{} {} 0\nITEM: ATOMS id type x y z vx vy vz radius{}\n",
+      frame.snapshot.step, frame.spheres(), flags(0), flags(1), flags(2),
+      cell.origin[0] + std::min(0.0, cell.tilt), cell.upper(0) + std::max(0.0, cell.tilt),
+      cell.tilt, cell.origin[1], cell.upper(1), cell.origin[2], cell.upper(2),
+      frame.collisions.empty() ? "" : " c_collisions");
+}
+
+}  // namespace
+
+void append_lammps_dump(NewFile& file, const Frame& frame) {
+  file.write(header(frame));
+  fmt::memory_buffer line;
+  for (std::int64_t i = 0; i < frame.spheres(); ++i) {
+    const auto [x, y, z] = frame.position(i);
+    const auto [vx, vy, vz] = frame.velocity(i);
+    line.clear();
+    fmt::format_to(fmt::appender(line), FMT_COMPILE("{} 1 {} {} {} {} {} {} {}"), i,
+                   frame.cell.leaning_x(x, y), y, z, vx, vy, vz, sphere_radius);
+    if (!frame.collisions.empty()) {
+      fmt::format_to(fmt::appender(line), FMT_COMPILE(" {}"),
+                     frame.collisions[static_cast<std::size_t>(i)]);
+    }
+    line.push_back('\n');
+    file.write({line.data(), line.size()});
+  }
+}
+
+}  // namespace zenosphere

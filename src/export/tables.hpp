@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "export/frame.hpp"
+#include "io/records.hpp"
+
+namespace zenosphere {
+
+/// The first line of the table of observables, with units: [d] diameter, [t] time of the case; mass
+/// 1.
+///
+/// \param dimension  D: there are D temperatures and, from two dimensions on, the offset and a
+///                   shear component
+std::string observables_header(int dimension);
+
+/// One line of it: what follows from the positions and velocities of a snapshot.
+///
+/// \param shear_rate  of the imposed profile, 1/time; velocities count relative to it
+/// Source of the kinetic tensor <c c>: docs/theory.md.
+std::string observables_row(const Frame& frame, double shear_rate);
+
+/// The first line of the table of collisions: the columns of the log with units.
+std::string collisions_header();
+
+/// One line of it. A gap that is not known is `nan`.
+std::string collisions_row(const CollisionRow& row);
+
+}  // namespace zenosphere
