@@ -54,7 +54,8 @@ fs::path frame_name(std::int64_t number) { return fmt::format("frame-{:06}.vtp",
 Draft::Draft(const fs::path& target, Kind kind, Existing existing)
     : shown_(target), target_(target), kind_(kind), existing_(existing) {
   std::error_code ignored;
-  if (fs::is_symlink(target, ignored)) target_ = fs::weakly_canonical(target, ignored);
+  const bool leads_on = fs::is_symlink(target, ignored) && fs::exists(target, ignored);
+  if (leads_on) target_ = fs::canonical(target, ignored);
   require_permitted();
   path_ = with_suffix(target_, fmt::format(".part-{}", getpid()));
   if (fs::exists(fs::symlink_status(path_, ignored))) {

@@ -237,9 +237,9 @@ Exported export_run(const Export& request) {
 
 std::string to_text(const Exported& exported, const Export& request) {
   const bool has_rows = request.format == ExportFormat::csv_collisions;
-  std::string text =
-      fmt::format("{}: {} {} of {} spheres\n", request.target.string(), exported.written,
-                  has_rows ? "collisions" : "snapshots", exported.spheres);
+  std::string text = fmt::format("{}: {} {}{} of {} spheres\n", request.target.string(),
+                                 exported.written, has_rows ? "collision" : "snapshot",
+                                 exported.written == 1 ? "" : "s", exported.spheres);
   if (!exported.complete) text += "  the run has not ended: up to its last checkpoint\n";
   if (shows_spheres(request.format) && !exported.collisions_are_counted) {
     text +=

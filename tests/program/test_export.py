@@ -1,0 +1,264 @@
+"""`zenosphere export`: the programs that the files are for read in them what the run recorded."""
+
+import warnings
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+
+from recorded import Recorded, distances, sheared_cell
+
+SHEAR_RATE = 2.0  # of the small case
+SIDE = (np.pi * 108 / (6 * 0.3)) ** (1 / 3)
+PLANE = {"system.dimension": 2, "start.arrangement": "random", "system.spheres": 40,
+         "run.collisions": 400, "output.snapshot_interval": 0.1}
+LINE = {"system.dimension": 1, "start.arrangement": "random", "system.spheres": 12,
+        "drive.kind": "none", "drive.shear_rate": 0, "run.collisions": 60}
+WALLED = {**PLANE, "drive.kind": "none", "drive.shear_rate": 0, "walls.axis": "y",
+          "walls.restitution": 0.9}
+SINGLE = 1e-6  # MDAnalysis keeps numbers of up to 6 diameters in 24 bits, of which it adds some
+
+
+def package(name):
+    """A package of Debian that reads the files; scripts/test installs it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of modules that later Pythons will not have
+        return pytest.importorskip(name, reason=f"{name} is not installed; scripts/test does that")
+
+
+@pytest.fixture
+def export(program):
+    """Exports the file of a run in a format; the path of what was written."""
+
+    def exported(run, file_format, *words, name=None):
+        target = program.folder / (name or f"frames.{'pvd' if file_format == 'vtp' else 'txt'}")
+        program("export", str(run), "--format", file_format, "-o", str(target), *words)
+        return target
+
+    return exported
+
+
+def in_ase(path, file_format, **options):
+    package("ase")
+    import ase.io
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return ase.io.read(path, index=":", format=file_format, **options)
+
+
+def in_mdanalysis(path, file_format, spheres, **options):
+    analysis = package("MDAnalysis")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        universe = analysis.Universe.empty(spheres)
+        universe.load_new(str(path), format=file_format, **options)
+    return universe
+
+
+def in_vtk(path):
+    """A frame in VTK: points, arrays by their names, field data by their names."""
+    vtk = package("vtkmodules.vtkIOXML")
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    assert reader.GetErrorCode() == 0
+    data = reader.GetOutput()
+
+    def arrays(group):
+        return {group.GetArrayName(n): vtk_to_numpy(group.GetArray(n))
+                for n in range(group.GetNumberOfArrays())}
+
+    assert data.GetNumberOfVerts() == data.GetNumberOfPoints() == data.GetNumberOfCells()
+    return (vtk_to_numpy(data.GetPoints().GetData()), arrays(data.GetPointData()),
+            arrays(data.GetFieldData()))
+
+
+def collection(path):
+    """Times and files of a .pvd."""
+    entries = ElementTree.parse(path).getroot().findall("./Collection/DataSet")
+    return [(float(entry.get("timestep")), path.parent / entry.get("file")) for entry in entries]
+
+
+def telling(run):
+    """Snapshots after several strain units: the most and the least leaning ones, and the last."""
+    late = np.flatnonzero(run.time * SHEAR_RATE > 3)
+    leaning = np.abs(run.edges[late, 1, 0])
+    return {late[np.argmax(leaning)], late[np.argmin(leaning)], late[-1]}
+
+
+def true_distances(run, n):
+    """From the positions in the output file and the strain alone."""
+    return distances(run.position[n], sheared_cell(SIDE, SHEAR_RATE * run.time[n]))
+
+
+def test_ase_reads_extended_xyz_to_the_last_bit(export, sheared):
+    run = Recorded(sheared[1])
+    frames = in_ase(export(sheared[1], "extxyz"), "extxyz")
+    assert len(frames) == len(run.time)
+    for n, frame in enumerate(frames):
+        assert np.array_equal(frame.positions, run.position[n])
+        assert np.array_equal(frame.arrays["velo"], run.velocity[n])
+        assert np.array_equal(frame.cell[:], run.cell(n)) and frame.pbc.all()
+        assert np.array_equal(frame.arrays["id"], np.arange(108))
+        assert np.array_equal(frame.arrays["collisions"], run.collisions(n))
+        assert np.all(frame.arrays["radius"] == 0.5)
+        info = frame.info
+        assert (info["Time"], info["Step"], info["Snapshot"]) == (run.time[n], run.step[n], n)
+
+
+def test_distances_in_ase_are_those_of_the_run(export, sheared):
+    run = Recorded(sheared[1])
+    frames = in_ase(export(sheared[1], "extxyz"), "extxyz")
+    for n in telling(run):
+        found = frames[n].get_all_distances(mic=True)[np.triu_indices(108, 1)]
+        assert np.max(np.abs(found - true_distances(run, n))) < 1e-12  # ulps of five strain units
+
+
+def test_ase_reads_lammps_dumps(export, sheared):
+    run = Recorded(sheared[1])
+    frames = in_ase(export(sheared[1], "lammps"), "lammps-dump-text", units="ASE")
+    assert len(frames) == len(run.time)
+    for n, frame in enumerate(frames):
+        assert np.allclose(frame.cell[:], run.cell(n), rtol=0, atol=4e-15)  # bounds are sums
+        shift = (frame.positions - run.position[n]) / SIDE
+        assert np.max(np.abs(shift[:, 0] - np.round(shift[:, 0]))) < 1e-15
+        assert np.all(shift[:, 1:] == 0)
+        assert np.allclose(frame.get_velocities(), run.velocity[n], rtol=1e-15, atol=0)
+        assert np.array_equal(frame.arrays["c_collisions"].ravel(), run.collisions(n))
+
+
+def test_lammps_box_leans_by_at_most_half_a_side_and_holds_every_sphere(export, sheared):
+    frames = in_ase(export(sheared[1], "lammps"), "lammps-dump-text", units="ASE")
+    leaning = [frame.cell[1, 0] / SIDE for frame in frames]
+    assert np.max(leaning) > 0.4 and np.min(leaning) < -0.4
+    assert np.all(np.abs(leaning) <= 0.5)
+    for frame in frames:
+        fractions = frame.positions @ np.linalg.inv(frame.cell[:])
+        assert np.all((fractions > -1e-14) & (fractions < 1 + 1e-14))
+
+
+def test_mdanalysis_reads_lammps_dumps(export, sheared):
+    run = Recorded(sheared[1])
+    universe = in_mdanalysis(export(sheared[1], "lammps"), "LAMMPSDUMP", 108)
+    from MDAnalysis.lib.distances import self_distance_array
+    assert len(universe.trajectory) == len(run.time)
+    for n, frame in enumerate(universe.trajectory):
+        assert frame.data["step"] == run.step[n]
+        assert np.allclose(frame.triclinic_dimensions, run.cell(n), rtol=0, atol=2 * SINGLE)
+        shift = (frame.positions - run.position[n]) / SIDE
+        assert np.max(np.abs(shift - np.round(shift))) < SINGLE
+        assert np.allclose(frame.velocities, run.velocity[n], rtol=SINGLE, atol=0)
+        if n in telling(run):
+            found = self_distance_array(frame.positions, box=frame.dimensions)
+            assert np.max(np.abs(found - true_distances(run, n))) < 4 * SINGLE
+
+
+def test_mdanalysis_reads_the_output_file_itself(sheared):
+    run = Recorded(sheared[1])
+    universe = in_mdanalysis(sheared[1], "H5MD", 108, convert_units=False)
+    from MDAnalysis.lib.distances import self_distance_array
+    assert len(universe.trajectory) == len(run.time)
+    for n, frame in enumerate(universe.trajectory):
+        assert frame.time == run.time[n] and frame.data["step"] == run.step[n]
+        assert np.allclose(frame.positions, run.position[n], rtol=SINGLE, atol=0)
+        assert np.allclose(frame.velocities, run.velocity[n], rtol=SINGLE, atol=0)
+        assert np.allclose(frame.triclinic_dimensions, run.cell(n), rtol=0, atol=2 * SINGLE)
+        if n in telling(run):
+            found = self_distance_array(frame.positions, box=frame.dimensions)
+            assert np.max(np.abs(found - true_distances(run, n))) < 4 * SINGLE
+
+
+def test_vtk_reads_frames_to_the_last_bit(export, sheared):
+    run = Recorded(sheared[1])
+    entries = collection(export(sheared[1], "vtp"))
+    assert [time for time, _ in entries] == run.time.tolist()
+    for n, (time, path) in enumerate(entries):
+        points, arrays, field = in_vtk(path)
+        assert np.array_equal(points, run.position[n])
+        assert np.array_equal(arrays["velocity"], run.velocity[n])
+        assert np.array_equal(arrays["id"], np.arange(108)) and np.all(arrays["radius"] == 0.5)
+        assert np.array_equal(arrays["collisions"], run.collisions(n))
+        assert np.array_equal(field["cell"].reshape(3, 3), run.cell(n))
+        assert (field["TimeValue"][0], field["step"][0]) == (time, run.step[n])
+
+
+def test_distances_in_vtk_are_those_of_the_run(export, sheared):
+    run = Recorded(sheared[1])
+    entries = collection(export(sheared[1], "vtp"))
+    for n in telling(run):
+        points, _, field = in_vtk(entries[n][1])
+        found = distances(points, field["cell"].reshape(3, 3))
+        assert np.max(np.abs(found - true_distances(run, n))) < 1e-12
+
+
+def test_pandas_reads_every_collision_to_the_last_bit(export, sheared):
+    pandas = package("pandas")
+    run = Recorded(sheared[1])
+    table = pandas.read_csv(export(sheared[1], "csv-collisions"), float_precision="round_trip")
+    names = [name.split(" [")[0] for name in table.columns]
+    assert names == ["k", "time", "i", "j", "gap", "normal_speed", "flags"]
+    for name, column in zip(names, table.columns):
+        assert np.array_equal(table[column], run.log[name], equal_nan=name == "gap")
+
+
+def test_pandas_reads_observables_that_follow_from_the_snapshots(export, sheared):
+    pandas = package("pandas")
+    run = Recorded(sheared[1])
+    table = pandas.read_csv(export(sheared[1], "csv-observables"), float_precision="round_trip")
+    table.columns = [name.split(" [")[0] for name in table.columns]
+    own = run.velocity.copy()
+    own[:, :, 0] -= SHEAR_RATE * (run.position[:, :, 1] - SIDE / 2)
+    expected = {"snapshot": np.arange(len(run.time)), "collisions": run.step, "time": run.time,
+                "collisions_per_sphere": run.step / 54, "strain": SHEAR_RATE * run.time,
+                "offset": run.edges[:, 1, 0], "granular_temperature": np.mean(own**2, axis=(1, 2)),
+                "temperature_xy": np.mean(own[:, :, 0] * own[:, :, 1], axis=1),
+                "fastest": np.sqrt(np.max(np.sum(own**2, axis=2), axis=1))}
+    for axis, name in enumerate("xyz"):
+        expected[f"temperature_{name}"] = np.mean(own[:, :, axis]**2, axis=1)
+    assert set(table.columns) == set(expected)
+    for name, values in expected.items():
+        assert np.allclose(table[name], values, rtol=1e-13, atol=1e-14), name  # 108 terms a sum
+
+
+@pytest.mark.parametrize("changes, periodic", [(PLANE, "TTF"), (LINE, "TFF"), (WALLED, "TFF")],
+                         ids=["plane", "line", "walled plane"])
+def test_missing_axes_are_one_diameter_thick_and_closed(program, export, changes, periodic):
+    _, path = program.keep(changes)
+    run = Recorded(path)
+    closed = [letter == "T" for letter in periodic]
+    [*_, xyz] = in_ase(export(path, "extxyz", name="x"), "extxyz")
+    [*_, dump] = in_ase(export(path, "lammps", name="l"), "lammps-dump-text", units="ASE")
+    points, arrays, field = in_vtk(collection(export(path, "vtp"))[-1][1])
+    assert np.array_equal(xyz.positions, run.position[-1]) and xyz.pbc.tolist() == closed
+    assert np.array_equal(points, run.position[-1]) and dump.pbc.tolist() == closed
+    assert np.array_equal(arrays["velocity"], run.velocity[-1])
+    assert np.array_equal(arrays["collisions"], run.collisions(-1))
+    for cell in (xyz.cell[:], dump.cell[:], field["cell"].reshape(3, 3)):
+        assert np.allclose(cell, run.cell(-1), rtol=0, atol=4e-15)
+    origin = [0 if axis < run.dimension else -0.5 for axis in range(3)]
+    assert xyz.info["Origin"].tolist() == field["origin"].ravel().tolist() == origin
+    assert dump.get_celldisp().ravel().tolist() == origin
+    found = distances(dump.positions, dump.cell[:], closed)
+    assert np.allclose(found, distances(run.position[-1], run.cell(-1), closed), rtol=0, atol=1e-13)
+
+
+def test_mdanalysis_puts_the_corner_of_a_plane_at_its_origin(program, export):
+    _, path = program.keep(PLANE)
+    run = Recorded(path)
+    frame = in_mdanalysis(export(path, "lammps"), "LAMMPSDUMP", 40).trajectory[-1]
+    assert np.all(frame.positions[:, 2] == 0.5)
+    found = distances(frame.positions.astype(float), run.cell(-1), (True, True, False))
+    expected = distances(run.position[-1], run.cell(-1), (True, True, False))
+    assert np.max(np.abs(found - expected)) < 8 * SINGLE  # the box is some 10 diameters wide
+
+
+def test_exported_end_of_an_upright_run_is_a_start(program, export):
+    _, path = program.keep({"drive.kind": "none", "drive.shear_rate": 0})
+    export(path, "extxyz", "--from", "-1", name="end.xyz")
+    case = program.case.read_text().replace("granular_temperature = 0.1", 'file = "end.xyz"')
+    program.case.write_text(case.replace('"fcc"', '"file"').replace("seed = 7\n", ""))
+    _, again = program.keep({"drive.kind": "none", "drive.shear_rate": 0}, "again.h5")
+    before, after = Recorded(path), Recorded(again)
+    assert np.array_equal(after.position[0], before.position[-1])
+    assert np.array_equal(after.velocity[0], before.velocity[-1])
