@@ -36,7 +36,7 @@ int export_output(const Arguments& arguments) {
                        .target = arguments.target,
                        .format = formats.at(arguments.format),
                        .selection = arguments.selection,
-                       .existing = arguments.overwrite ? Existing::replace : Existing::refuse,
+                       .occupied = arguments.overwrite ? Occupied::replace : Occupied::refuse,
                        .interrupt = &catch_signals()};
   const Exported exported = export_run(request);
   if (exported.interrupted) return exit_code::interrupted;

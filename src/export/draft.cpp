@@ -51,8 +51,8 @@ void guarded(const fs::path& shown, const std::string& what, Action action) {
 
 fs::path frame_name(std::int64_t number) { return fmt::format("frame-{:06}.vtp", number); }
 
-Draft::Draft(const fs::path& target, Kind kind, Existing existing)
-    : shown_(target), target_(target), kind_(kind), existing_(existing) {
+Draft::Draft(const fs::path& target, Kind kind, Occupied occupied)
+    : shown_(target), target_(target), kind_(kind), occupied_(occupied) {
   std::error_code ignored;
   const bool leads_on = fs::is_symlink(target, ignored) && fs::exists(target, ignored);
   if (leads_on) target_ = fs::canonical(target, ignored);
@@ -79,7 +79,7 @@ void Draft::require_permitted() const {
   }
   const auto status = fs::status(target_, ignored);
   if (!fs::exists(status)) return;
-  if (existing_ == Existing::refuse) {
+  if (occupied_ == Occupied::refuse) {
     refuse(shown_, "exists already; choose another name or pass --overwrite");
   }
   if (kind_ == Kind::file && !fs::is_regular_file(status)) {

@@ -4,8 +4,8 @@
 
 namespace zenosphere {
 
-/// What to do with something that is there already.
-enum class Existing { refuse, replace };
+/// What to do where something has the name already.
+enum class Occupied { refuse, replace };
 
 /// A file, or a folder of frames, that appears under its name once it is complete, in one step.
 /// Until then, and for ever where that fails, only its draft is there: `NAME.part-` and the number
@@ -15,8 +15,8 @@ class Draft {
   enum class Kind { file, folder };
 
   /// \param target    name in the end; symbolic links are followed
-  /// \param existing  `replace` permits a regular file, or a folder with nothing but frames in it
-  Draft(const std::filesystem::path& target, Kind kind, Existing existing);
+  /// \param occupied  `replace` permits a regular file, or a folder with nothing but frames in it
+  Draft(const std::filesystem::path& target, Kind kind, Occupied occupied);
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
   /// Deletes what was not put in place.
@@ -33,11 +33,11 @@ class Draft {
 
   std::filesystem::path shown_, target_, path_;
   Kind kind_;
-  Existing existing_;
+  Occupied occupied_;
   bool is_in_place_ = false;
 };
 
-/// `frame-000012.vtp`: the only names that a folder may hold for `Existing::replace`.
+/// `frame-000012.vtp`: the only names that a folder may hold for `Occupied::replace`.
 std::filesystem::path frame_name(std::int64_t number);
 
 }  // namespace zenosphere

@@ -150,7 +150,7 @@ class Exporter {
   /// All frames in one file.
   template <class Append>
   void write_frames(const std::string& header, Append append) {
-    Draft draft(request_.target, Draft::Kind::file, request_.existing);
+    Draft draft(request_.target, Draft::Kind::file, request_.occupied);
     NewFile file(draft.path(), request_.target);
     file.write(header);
     if (!for_each_frame([&](const Frame& frame) { append(file, frame); })) return;
@@ -159,7 +159,7 @@ class Exporter {
   }
 
   void write_collisions() {
-    Draft draft(request_.target, Draft::Kind::file, request_.existing);
+    Draft draft(request_.target, Draft::Kind::file, request_.occupied);
     NewFile file(draft.path(), request_.target);
     file.write(collisions_header());
     if (!for_each_collision([&](const CollisionRow& row) { file.write(collisions_row(row)); })) {
@@ -177,9 +177,9 @@ class Exporter {
 
   /// A file for each frame in a folder, and the collection that tells their times.
   void write_collection() {
-    Draft draft(request_.target, Draft::Kind::file, request_.existing);
+    Draft draft(request_.target, Draft::Kind::file, request_.occupied);
     const fs::path folder = folder_of_frames(request_.target);
-    Draft frames(folder, Draft::Kind::folder, request_.existing);
+    Draft frames(folder, Draft::Kind::folder, request_.occupied);
     std::vector<TimedFile> files;
     const bool is_whole = for_each_frame([&](const Frame& frame) {
       const fs::path name = frame_name(frame.number);

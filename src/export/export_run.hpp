@@ -18,7 +18,7 @@ struct Export {
   std::filesystem::path target;  ///< what is written; the .pvd file for ExportFormat::vtk
   ExportFormat format = ExportFormat::extended_xyz;
   Selection selection{};
-  Existing existing = Existing::refuse;
+  Occupied occupied = Occupied::refuse;
   const std::atomic<bool>* interrupt = nullptr;  ///< ends it, with nothing written, once true
 };
 

@@ -15,11 +15,11 @@ def commands_in(help_text):
 def test_help_lists_the_commands_that_exist_and_no_other(program):
     done = program("--help")
     assert set(commands_in(done.stdout)) == {
-        "run", "resume", "check", "info", "adjudicate", "verify", "sweep"}
+        "run", "resume", "check", "info", "adjudicate", "verify", "sweep", "export"}
     assert done.stderr == ""
 
 
-@pytest.mark.parametrize("command", ["run", "resume", "check", "info", "adjudicate"])
+@pytest.mark.parametrize("command", ["run", "resume", "check", "info", "adjudicate", "export"])
 def test_every_command_has_help(program, command):
     assert f"zenosphere {command}" in program(command, "--help").stdout
 
