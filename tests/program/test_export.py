@@ -1,5 +1,6 @@
 """`zenosphere export`: the programs that the files are for read in them what the run recorded."""
 
+import re
 import warnings
 import xml.etree.ElementTree as ElementTree
 
@@ -251,6 +252,19 @@ def test_mdanalysis_puts_the_corner_of_a_plane_at_its_origin(program, export):
     found = distances(frame.positions.astype(float), run.cell(-1), (True, True, False))
     expected = distances(run.position[-1], run.cell(-1), (True, True, False))
     assert np.max(np.abs(found - expected)) < 8 * SINGLE  # the box is some 10 diameters wide
+
+
+def test_python_of_the_page_runs(program, checkout, monkeypatch):
+    package("ase")
+    package("pandas")
+    page = (checkout / "docs" / "export.md").read_text()
+    [script] = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    program.keep({"output.snapshot_interval": 0.1})
+    for words in (["extxyz", "-o", "last.xyz", "--from", "-1"],
+                  ["csv-observables", "-o", "observables.csv"]):
+        program("export", "out.h5", "--format", *words)
+    monkeypatch.chdir(program.folder)
+    exec(compile(script, "export.md", "exec"), {})
 
 
 def test_exported_end_of_an_upright_run_is_a_start(program, export):
