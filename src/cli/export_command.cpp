@@ -39,9 +39,8 @@ int export_output(const Arguments& arguments) {
                        .occupied = arguments.overwrite ? Occupied::replace : Occupied::refuse,
                        .interrupt = &catch_signals()};
   const Exported exported = export_run(request);
-  if (exported.interrupted) return exit_code::interrupted;
   if (!arguments.quiet) print(printable(to_text(exported, request)));
-  return exit_code::done;
+  return exported.interrupted ? exit_code::interrupted : exit_code::done;
 }
 
 void add_selection(CLI::App& command, Selection& selection) {

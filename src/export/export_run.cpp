@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "export/extended_xyz_frame.hpp"
@@ -71,10 +72,7 @@ fs::path folder_of_frames(const fs::path& collection) {
 class Exporter {
  public:
   explicit Exporter(const Export& request)
-      : request_(request),
-        run_(request.run),
-        values_(case_of(run_, request.run)),
-        counts_(run_, request.run) {
+      : request_(request), run_(request.run), values_(case_of(run_, request.run)) {
     exported_.spheres = run_.info().spheres;
     exported_.complete = run_.info().complete;
   }
@@ -113,7 +111,7 @@ class Exporter {
     Frame frame{.number = n, .dimension = values_.system.dimension, .snapshot = run_.snapshot(n)};
     require_numbers(frame.snapshot, frame.dimension, request_.run);
     frame.cell = cell_of(frame.snapshot, frame.dimension, closed_axis(values_), request_.run);
-    if (exported_.collisions_are_counted) frame.collisions = counts_.up_to(frame.snapshot.step);
+    if (exported_.collisions_are_counted) frame.collisions = counts_->up_to(frame.snapshot.step);
     return frame;
   }
 
@@ -122,8 +120,8 @@ class Exporter {
   bool for_each_frame(Action action) {
     const Numbers numbers = selected_snapshots(request_.selection, run_.snapshots(), request_.run);
     const std::int64_t last = numbers.last - (numbers.last - numbers.first) % numbers.step;
-    exported_.collisions_are_counted =
-        shows_spheres(request_.format) && counts_.reaches(run_.snapshot(last).step);
+    if (shows_spheres(request_.format)) counts_.emplace(run_, request_.run);
+    exported_.collisions_are_counted = counts_ && counts_->reaches(run_.snapshot(last).step);
     for (std::int64_t n = numbers.first; n <= last; n += numbers.step) {
       if (is_interrupted()) return false;
       action(frame(n));
@@ -199,7 +197,7 @@ class Exporter {
   const Export& request_;
   RecordedRun run_;
   Case values_;
-  SphereCollisions counts_;
+  std::optional<SphereCollisions> counts_;  ///< where the format shows them
   Exported exported_;
 };
 
@@ -236,6 +234,9 @@ Exported export_run(const Export& request) {
 }
 
 std::string to_text(const Exported& exported, const Export& request) {
+  if (exported.interrupted) {
+    return request.target.string() + ": interrupted, nothing was written\n";
+  }
   const bool has_rows = request.format == ExportFormat::csv_collisions;
   std::string text = fmt::format("{}: {} {}{} of {} spheres\n", request.target.string(),
                                  exported.written, has_rows ? "collision" : "snapshot",

@@ -32,8 +32,8 @@ struct Exported {
 };
 
 /// Writes what a run has recorded, with its journal, in the format of another program. One snapshot
-/// and a piece of the log are in memory at a time: about 75 bytes a sphere. What cannot be written
-/// whole is not left in part.
+/// and a piece of the log are in memory at a time: 56 bytes a sphere and some MB. What cannot be
+/// written as a whole is not left in part.
 ///
 /// Throws InputError where the run cannot be read or holds nothing of what is selected, OutputError
 /// where the target cannot be written.
