@@ -3,6 +3,7 @@
 import ast
 import inspect
 import os
+import re
 import subprocess
 import sys
 
@@ -12,7 +13,11 @@ from module import CHECKOUT, needed
 import zenosphere
 
 PACKAGE = CHECKOUT / "python" / "zenosphere"
+DOCUMENTS = [CHECKOUT / "README.md", *sorted((CHECKOUT / "docs").rglob("*.md"))]
+BLOCK = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 EXAMPLES = sorted((CHECKOUT / "examples" / "python").glob("*.py"))
+ENVIRONMENT = {**{key: value for key, value in os.environ.items() if key != "DISPLAY"},
+               "PYTHONPATH": os.path.dirname(os.path.dirname(zenosphere.__file__))}
 
 
 def public(owner):
@@ -71,8 +76,18 @@ def test_unknown_name_is_an_attribute_error():
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.name)
 def test_example_runs(tmp_path, example):
     """Each takes the number of collisions as its argument."""
-    environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-    environment["PYTHONPATH"] = os.path.dirname(os.path.dirname(zenosphere.__file__))
     done = subprocess.run([sys.executable, example, "3000"], cwd=tmp_path, check=True,
-                          capture_output=True, text=True, env=environment, timeout=60)
+                          capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
     assert "3000" in done.stdout and done.stderr == ""
+
+
+@needed
+@pytest.mark.parametrize("document", [each for each in DOCUMENTS if BLOCK.search(each.read_text())],
+                         ids=lambda path: path.name)
+def test_python_in_a_document_runs_from_its_first_line_to_its_last(tmp_path, document):
+    """All blocks of a document together, in a folder from which examples/ can be seen."""
+    (tmp_path / "examples").symlink_to(CHECKOUT / "examples")
+    script = "\n".join(BLOCK.findall(document.read_text()))
+    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, check=True,
+                          capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
+    assert done.stdout and done.stderr == ""
