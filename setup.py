@@ -1,7 +1,7 @@
 """Builds the compiled part of the package with CMake; the rest is in pyproject.toml.
 
-CMake's build folder is `build`, or what the environment variable ZENOSPHERE_BUILD names: what is built there
-already is not built again.
+CMake's build folder is `build`, or what the environment variable ZENOSPHERE_BUILD names: what is
+built there already is not built again.
 """
 
 import os

@@ -3,8 +3,8 @@
 
     PYTHONPATH=build/python /usr/bin/python3 examples/python/custom_criterion.py [COLLISIONS]
 
-It is met where one pair has had 1000 collisions in a row while the clock stood still; what it finds is
-set beside the arrest criterion of the program.
+It is met where one pair has had 1000 collisions in a row while the clock stood still; what it finds
+is set beside the arrest criterion of the program.
 """
 
 import sys

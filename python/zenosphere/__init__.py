@@ -1,7 +1,8 @@
 """Zenosphere: inelastic hard spheres by events, and whether they collapse.
 
 `Run` and `Case` run the simulator from Python (docs/python.md); they need the compiled part of the
-package. The rest reads output files and draws the figures and reports: `python3 -m zenosphere --help`.
+package. The rest reads output files and draws the figures and reports: `python3 -m zenosphere
+--help`.
 """
 
 from importlib import import_module

@@ -16,11 +16,12 @@ class Case:
 
     Units: sphere diameter = mass = 1, times in the case's own unit.
 
-    tables: the case as nested dicts, `{"system": {"spheres": 108, ...}, ...}`; numbers may be NumPy's
+    tables: the case as nested dicts, `{"system": {"spheres": 108, ...}, ...}`; numbers may be
+    NumPy's
     overrides: `{"system.restitution": 0.2}`, as `--set` of the program
     name: what the messages call the case; a relative `start.file` is meant from its folder
-    Raises InputError, one line for each problem, with the texts of the program. In a case from a dict
-    they name the key, `case: system.restitution = 1.2 (must be in [0, 1]; 1 is elastic)`.
+    Raises InputError, one line for each problem, with the texts of the program. In a case from a
+    dict they name the key, `case: system.restitution = 1.2 (must be in [0, 1]; 1 is elastic)`.
     """
 
     def __init__(self, tables: Mapping[str, Mapping[str, Any]], *,

@@ -18,9 +18,9 @@ from .toml_text import override_texts
 COLLISION_DTYPE: np.dtype[np.void] = _core.collision_dtype
 """A row of the collision log, named as the datasets of /collisions in an output file:
 
-k int64 (number, from 1), time float64, i and j int32 (spheres from 0, i < j; j = N and N + 1 are the
-walls), gap float64 (of the pair that collides next, diameters), normal_speed float64 (diameters/time),
-flags uint8 (sum of the bits in `zenosphere.flags`).
+k int64 (number, from 1), time float64, i and j int32 (spheres from 0, i < j; j = N and N + 1 are
+the walls), gap float64 (of the pair that collides next, diameters), normal_speed float64
+(diameters/time), flags uint8 (sum of the bits in `zenosphere.flags`).
 """
 
 
@@ -28,15 +28,17 @@ flags uint8 (sum of the bits in `zenosphere.flags`).
 class State:
     """The N spheres in D dimensions at one time, in the laboratory frame.
 
-    The engine keeps each sphere in the sliding frame of its layer and as it was at its own last event;
-    so every array is a fresh copy, C-contiguous float64, that stays as it is while the run goes on.
+    The engine keeps each sphere in the sliding frame of its layer and as it was at its own last
+    event; so every array is a fresh copy, C-contiguous float64, that stays as it is while the run
+    goes on.
 
     collisions: done so far
     time: since the start
     positions: (N, D), diameters, every component in [0, side)
     velocities: (N, D), laboratory, diameters/time
     peculiar_velocities: (N, D), relative to the imposed shear profile, diameters/time
-    box_edges: (D, D), diameters; the rows are the box vectors, the second with the Lees-Edwards offset
+    box_edges: (D, D), diameters; the rows are the box vectors, the second with the Lees-Edwards
+    offset
     """
 
     collisions: int
@@ -55,16 +57,18 @@ class State:
 class Run:
     """A run that goes on as far as it is told.
 
-    In chunks it gives the same bits as the program in one go, in its summary and its output file. While
-    it goes on, other Python threads run, and Ctrl-C works: the KeyboardInterrupt comes out of the call
-    and the run is as good as before. One thread at a time may use a run; `stop` may be called by any.
+    In chunks it gives the same bits as the program in one go, in its summary and its output file.
+    While it goes on, other Python threads run, and Ctrl-C works: the KeyboardInterrupt comes out of
+    the call and the run is as good as before. One thread at a time may use a run; `stop` may be
+    called by any.
 
-    As a context manager it is finished at the end of the block, whatever happened there, so that its
-    output can be read and resumed.
+    As a context manager it is finished at the end of the block, whatever happened there, so that
+    its output can be read and resumed.
 
     case: a Case, nested dicts as for `Case(...)`, or the path of a TOML file
     overrides: `{"system.restitution": 0.2}`, as `--set` of the program; not for a Case
-    output: where to keep snapshots and collisions (HDF5, as `zenosphere run -o`); None keeps nothing
+    output: where to keep snapshots and collisions (HDF5, as `zenosphere run -o`); None keeps
+    nothing
     overwrite: replace an existing output
     Raises InputError where the case is wrong, OutputError where the output cannot be written.
     """
@@ -96,8 +100,8 @@ class Run:
         whichever comes first; without both, with the run. The array owns its rows, none was copied.
 
         A row holds the gap of the pair that collides *next*, which is known one collision later. So
-        the last row waits and comes first in the next chunk; at the end of the run it comes at once,
-        with a gap of NaN. The chunks together are /collisions of the output file, row by row.
+        the last row waits and comes first in the next chunk; at the end of the run it comes at
+        once, with a gap of NaN. The chunks together are /collisions of the output file, row by row.
         """
         return self._core.advance(_count(collisions), until)
 
@@ -157,7 +161,7 @@ class Run:
 
     @property
     def is_over(self) -> bool:
-        """Whether a limit of the case has been reached, the system collapsed, or `stop` was called."""
+        """Whether a limit of the case was reached, the system collapsed, or `stop` was called."""
         return self._core.is_over
 
     def stop(self) -> None:
@@ -174,8 +178,8 @@ class Run:
     def finish(self) -> dict[str, Any]:
         """Ends the run, writes the rest of its output, and returns its summary.
 
-        A run that is not over gets the outcome "interrupted"; `resume` goes on with it. Called again
-        it only returns the summary.
+        A run that is not over gets the outcome "interrupted"; `resume` goes on with it. Called
+        again it only returns the summary.
         """
         summary: dict[str, Any] = json.loads(self._core.finish())
         return summary
