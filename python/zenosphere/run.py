@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from .case import Case, Overrides
+from .errors import InputError, OutputError
 from .toml_text import override_texts
 
 COLLISION_DTYPE: np.dtype[np.void] = _core.collision_dtype
@@ -111,6 +112,8 @@ class Run:
 
     def chunks(self, collisions: int = 10_000) -> Iterator[NDArray[np.void]]:
         """Goes on to the end of the run, and yields its collisions in chunks, as `advance` does."""
+        if collisions < 1:
+            raise InputError(f"chunks: collisions = {collisions} (must be > 0)")
         while not self.is_over:
             yield self.advance(collisions)
 
@@ -151,12 +154,12 @@ class Run:
 
     @property
     def collisions(self) -> int:
-        """Collisions done."""
+        """Collisions done; any thread may ask, while another one advances as of 0.1 s ago."""
         return self._core.collisions
 
     @property
     def time(self) -> float:
-        """Time since the start, in the case's unit."""
+        """Time since the start, in the case's unit; any thread may ask likewise."""
         return self._core.time
 
     @property
@@ -189,7 +192,11 @@ class Run:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
                  traceback: TracebackType | None) -> None:
-        self.finish()
+        try:
+            self.finish()
+        except OutputError:
+            if error is None:  # else it is what ended the block already
+                raise
 
     def __repr__(self) -> str:
         return f"<zenosphere.Run: {self.collisions} collisions, time {self.time:.6g}>"

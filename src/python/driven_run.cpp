@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
+#include <shared_mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -45,6 +47,33 @@ Piece piece_of(std::optional<std::int64_t> collisions, std::optional<double> unt
   return piece;
 }
 
+/// Keeps the reading of a file to be resumed apart from runs that write theirs.
+///
+/// A file is read in a copy of the process first, where a lock that HDF5 held in another thread
+/// would never be released. Who reads waits until all pieces under way are over; pieces that come
+/// meanwhile wait at the turnstile.
+class Files {
+ public:
+  template <class Action>
+  void write(Action action) {
+    std::unique_lock entrance(turnstile_);
+    const std::shared_lock writing(files_);
+    entrance.unlock();
+    action();
+  }
+
+  template <class Action>
+  auto read(Action action) {
+    const std::lock_guard entrance(turnstile_);
+    const std::lock_guard reading(files_);
+    return action();
+  }
+
+ private:
+  std::mutex turnstile_;
+  std::shared_mutex files_;
+} files;
+
 }  // namespace
 
 /// Keeps other threads off the run as long as it lives. Made and destroyed with Python's lock.
@@ -73,27 +102,33 @@ DrivenRun::DrivenRun(const Case& values, const std::optional<std::string>& outpu
   options.output = output;
   options.existing = existing;
   options.interrupt = &interrupt_;
-  run_ = start_run(values_, options);
+  files.write([&] { run_ = start_run(values_, options); });
+  look();
 }
 
 DrivenRun::DrivenRun(const std::string& output, const std::vector<std::string>& overrides)
     : has_output_(true) {
   const py::gil_scoped_release unlocked;
-  RecoveredOutput recovered = recover(output);
+  RecoveredOutput recovered = files.read([&] { return recover(output); });
   values_ = case_to_resume(recovered, overrides);
   RunOptions options;
   options.interrupt = &interrupt_;
-  run_ = resumed_run(values_, std::move(recovered), options);
+  files.write([&] { run_ = resumed_run(values_, std::move(recovered), options); });
+  look();
 }
+
+void DrivenRun::look() { seen_ = {run_->collisions(), run_->time(), end_ || run_->is_over()}; }
 
 /// Does what may write to the output; after a failure nothing can be written any more.
 template <class Action>
 void DrivenRun::attempt(Action action) {
   const py::gil_scoped_release unlocked;
   try {
-    action();
+    has_output_ ? files.write(action) : action();
   } catch (const std::exception& error) {
+    const py::gil_scoped_acquire locked;
     failure_ = error.what();
+    look();
     throw;
   }
 }
@@ -115,6 +150,7 @@ void DrivenRun::go_on(std::optional<std::int64_t> collisions, std::optional<doub
   const std::int64_t begun = run_->collisions();
   for (;;) {
     attempt([&] { run_->advance(piece, rows); });
+    look();
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (run_->is_over() || run_->time() >= piece.time) return;
     if (!collisions) continue;
@@ -136,6 +172,7 @@ py::array DrivenRun::advance(std::optional<std::int64_t> collisions, std::option
 
 void DrivenRun::skip(std::optional<std::int64_t> collisions, std::optional<double> until) {
   go_on(collisions, until, nullptr);
+  rows_.clear();  // of an advance that was interrupted
 }
 
 void DrivenRun::save() {
@@ -153,6 +190,7 @@ std::string DrivenRun::finish() {
   if (end_) return *end_;
   require_open();
   attempt([&] { end_ = to_json(run_->finish(), values_.system.dimension); });
+  look();
   return *end_;
 }
 
@@ -174,21 +212,6 @@ py::tuple DrivenRun::state() const {
                         table(std::move(snapshot.velocities)),
                         table(std::move(state.peculiar_velocities)),
                         table(std::move(snapshot.box_edges)));
-}
-
-bool DrivenRun::is_over() const {
-  const Use use(*this);
-  return end_ || run_->is_over();
-}
-
-std::int64_t DrivenRun::collisions() const {
-  const Use use(*this);
-  return run_->collisions();
-}
-
-double DrivenRun::time() const {
-  const Use use(*this);
-  return run_->time();
 }
 
 }  // namespace zenosphere

@@ -18,7 +18,7 @@ namespace zenosphere {
 /// While it goes on, Python's lock is free, and a few times a second Python's signals are looked
 /// at: what their handlers raise (KeyboardInterrupt) comes out of the call, with the run as good as
 /// before. A second thread that uses the run meanwhile gets a RuntimeError; `stop` may be called by
-/// any.
+/// any, and how far the run is may be asked by any.
 class DrivenRun {
  public:
   /// A run at its start; with an output, the file is there when this returns.
@@ -48,19 +48,29 @@ class DrivenRun {
   /// edges (D, D).
   pybind11::tuple state() const;
 
-  bool is_over() const;
-  std::int64_t collisions() const;
-  double time() const;
+  /// How far the run is; while another thread drives it, as of about a tenth of a second ago.
+  bool is_over() const { return seen_.is_over; }
+  std::int64_t collisions() const { return seen_.collisions; }
+  double time() const { return seen_.time; }
+
   const Case& values() const { return values_; }
 
  private:
   class Use;
+
+  /// What everybody may ask, guarded by Python's lock.
+  struct Seen {
+    std::int64_t collisions;
+    double time;
+    bool is_over;
+  };
 
   void go_on(std::optional<std::int64_t> collisions, std::optional<double> until,
              std::vector<CollisionRow>* rows);
   template <class Action>
   void attempt(Action action);
   void require_open() const;
+  void look();
 
   Case values_;
   bool has_output_;
@@ -70,6 +80,7 @@ class DrivenRun {
   std::optional<std::string> failure_;  ///< of the output; nothing can be written any more
   std::optional<std::string> end_;      ///< the summary, once the run is finished
   std::unique_ptr<SteppedRun> run_;
+  Seen seen_{};
 };
 
 }  // namespace zenosphere

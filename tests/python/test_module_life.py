@@ -104,6 +104,30 @@ def test_saved_run_survives_the_death_of_its_process(tmp_path):
     assert differences(output, tmp_path / "whole.h5") == []
 
 
+def test_block_that_fails_tells_its_own_error(tmp_path):
+    output = tmp_path / "folder" / "out.h5"
+    output.parent.mkdir()
+    with pytest.raises(zenosphere.OutputError) as caught:
+        with zenosphere.Run(case(**ENDLESS), output=output) as run:
+            output.unlink()
+            run.skip()  # finds out within a second or two that its file is gone
+    assert caught.value.__context__ is None
+
+
+def test_files_are_resumed_while_other_runs_write_theirs(tmp_path):
+    """What resumes reads in a copy of the process, where no lock of another thread may stay."""
+    zenosphere.Run(case(), output=tmp_path / "old.h5").finish()
+    busy = [zenosphere.Run(case(**ENDLESS), output=tmp_path / f"{name}.h5") for name in "ab"]
+    threads = [threading.Thread(target=run.skip) for run in busy]
+    for thread in threads:
+        thread.start()
+    for _ in range(5):
+        zenosphere.Run.resume(tmp_path / "old.h5").finish()
+    for run, thread in zip(busy, threads):
+        run.stop()
+        thread.join()
+
+
 def test_run_without_output_cannot_be_saved():
     with pytest.raises(zenosphere.InputError, match="save: the run has no output"):
         zenosphere.Run(case()).save()
@@ -143,7 +167,8 @@ def test_other_threads_go_on_and_may_stop_a_run_but_not_use_it():
     told = []
 
     def meddle():
-        time.sleep(0.2)  # the run below has begun, and lets this thread go on
+        while not run.collisions:  # told while the run below goes on
+            time.sleep(0.01)
         try:
             run.advance(1)
         except RuntimeError as error:

@@ -171,3 +171,5 @@ def test_wrong_chunk_is_refused(wrong, told):
     assert len(run.advance(5)) == 4
     with pytest.raises(TypeError):
         run.advance(1.5)
+    with pytest.raises(zenosphere.InputError, match="chunks: collisions = 0"):
+        next(run.chunks(0))
