@@ -118,14 +118,12 @@ std::string escaped(const std::string& text) {
 
 void write_vtk_frame(NewFile& file, const Frame& frame) {
   const std::int64_t spheres = frame.spheres();
-  file.write(fmt::format(
-      "<?xml version=\"1.0\"?>\n"
-      "<!-- zenosphere: lengths in diameters, velocities in diameters/time, time of the case -->\n"
-      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<PolyData>\n"));
-  write_field_data(file, frame);
+  // OVITO takes a file for spheres only if nothing but elements comes before the piece.
   file.write(
-      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
+      fmt::format("<?xml version=\"1.0\"?>\n"
+                  "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                  "header_type=\"UInt64\">\n<PolyData>\n"
+                  "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
                   "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
                   spheres, spheres));
   write_point_data(file, frame);
@@ -134,7 +132,12 @@ void write_vtk_frame(NewFile& file, const Frame& frame) {
                          [&](std::int64_t i) { return frame.position(i); });
   file.write("</Points>\n");
   write_vertices(file, spheres);
-  file.write("</Piece>\n</PolyData>\n</VTKFile>\n");
+  file.write("</Piece>\n");
+  write_field_data(file, frame);
+  file.write(
+      "</PolyData>\n"
+      "<!-- zenosphere: lengths in diameters, velocities in diameters/time, time of the case -->\n"
+      "</VTKFile>\n");
 }
 
 std::string vtk_collection(const std::vector<TimedFile>& files) {

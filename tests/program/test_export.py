@@ -184,6 +184,15 @@ def test_vtk_reads_frames_to_the_last_bit(export, sheared):
         assert (field["TimeValue"][0], field["step"][0]) == (time, run.step[n])
 
 
+def test_frames_are_built_as_ovito_needs_them(export, sheared):
+    """OVITO looks for the piece as the first of the first, and for a vertex for each point."""
+    for _, path in collection(export(sheared[1], "vtp", "--every", "10")):
+        assert path.read_text().startswith('<?xml version="1.0"?>\n<VTKFile type="PolyData"')
+        piece = ElementTree.parse(path).getroot()[0][0]
+        assert piece.tag == "Piece" and piece.get("NumberOfVerts") == piece.get("NumberOfPoints")
+        assert {array.get("format") for array in piece.iter("DataArray")} == {"binary"}
+
+
 def test_distances_in_vtk_are_those_of_the_run(export, sheared):
     run = Recorded(sheared[1])
     entries = collection(export(sheared[1], "vtp"))
