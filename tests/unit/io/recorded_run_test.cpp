@@ -52,6 +52,27 @@ TEST_F(RecordedRunTest, FinishedRunIsInItsFile) {
   EXPECT_EQ(numbers_in(run), (std::vector<std::int64_t>{1, 2, 3}));
 }
 
+TEST_F(RecordedRunTest, LongerRunTakesTheEndOfTheShorterBack) {
+  {
+    OutputFile output(path, planar_pair, Existing::refuse);
+    write_run(output, 3);
+    output.end(checkpoint(3));
+    output.append(row(40));  // what is written because the run ends
+    output.write(snapshot(40));
+    output.finish(summary_of(3));
+  }
+  EXPECT_EQ(numbers_in(RecordedRun(path)), (std::vector<std::int64_t>{1, 2, 3, 40}));
+  OutputFile output(recover(path));
+  output.go_on(planar_pair.resolved_case);
+  output.append(row(4));
+  output.write(snapshot(4));
+  output.checkpoint(checkpoint(4));
+  const RecordedRun run(path);
+  EXPECT_EQ(numbers_in(run), (std::vector<std::int64_t>{1, 2, 3, 4}));
+  ASSERT_EQ(run.snapshots(), 2);
+  EXPECT_EQ(run.snapshot(1).step, 4);
+}
+
 TEST_F(RecordedRunTest, LogComesInPiecesWithoutAGap) {
   {
     OutputFile output(path, planar_pair, Existing::refuse);
