@@ -1,4 +1,5 @@
-"""Command line: `python3 -m zenosphere figures ...`, `... report-md ...` and `... cooling ...`."""
+"""Command line: `python3 -m zenosphere figures ...`, `... report-md ...`, `... cooling ...` and
+`... ensemble ...`."""
 
 import argparse
 import sys
@@ -6,6 +7,8 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from .cooling_figure import draw_cooling
+from .ensemble import Ensemble
+from .ensemble_figures import draw_ensemble
 from .errors import InputError, OutputError
 from .figures import FALSE_POSITIVE, TRUE_COLLAPSE, draw_general_figures, draw_paper_figures
 from .report import write_report
@@ -55,6 +58,11 @@ def _cooling(options):
     print(options.output)
 
 
+def _ensemble(options):
+    for path in draw_ensemble(Ensemble(options.file), options.output, options.x, options.y):
+        print(path)
+
+
 def _parser():
     parser = argparse.ArgumentParser(prog="python3 -m zenosphere", description=sys.modules[
         "zenosphere"].__doc__)
@@ -85,6 +93,17 @@ def _parser():
     cooling.add_argument("-o", "--output", metavar="FIGURE.png", type=Path,
                          default=Path("cooling.png"), help="the figure (default: cooling.png)")
     cooling.set_defaults(command=_cooling)
+
+    ensemble = commands.add_parser("ensemble", help="draw how likely collapse is, from the store of"
+                                   " a sweep, and write the tables")
+    ensemble.add_argument("file", metavar="STORE.sqlite", type=Path, help="a store, done or not")
+    ensemble.add_argument("-o", "--output", metavar="DIR", type=Path, default=Path("figures"),
+                          help="folder of figures and tables (default: figures)")
+    ensemble.add_argument("--x", metavar="KEY", help="axis of the curves"
+                          " (default: system.restitution, or the axis with most values)")
+    ensemble.add_argument("--y", metavar="KEY", help="axis of the panels and of the maps' rows"
+                          " (default: system.solids_volume_fraction, or the next)")
+    ensemble.set_defaults(command=_ensemble)
     return parser
 
 

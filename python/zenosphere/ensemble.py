@@ -1,0 +1,131 @@
+"""Reads the store of a sweep: how many runs of each point met which criterion."""
+
+import json
+import sqlite3
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from .errors import InputError
+
+FORMAT_VERSION = 1
+CRITERIA = ("separation", "arrest", "false positive")
+CONDITIONS = {  # SQL: the run met it, within :limit collisions per sphere
+    "separation": "COALESCE(separation_first_collision * scale <= :limit, 0)",
+    "arrest": "COALESCE(arrest_collision * scale <= :limit, 0)",
+}
+CONDITIONS["false positive"] = (f"({CONDITIONS['separation']} = 1 AND {CONDITIONS['arrest']} = 0)")
+# Collisions per sphere = 2 collisions / N, and N need not be an axis.
+SCALED = ("(SELECT *, collisions_per_sphere / NULLIF(collisions, 0) AS scale FROM run)")
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A key that is varied, and its values as the runs have them: ascending, or words."""
+
+    key: str
+    values: tuple
+
+    @property
+    def is_numeric(self):
+        """Whether it can be the x of a figure."""
+        return all(isinstance(value, (int, float)) for value in self.values)
+
+
+@dataclass(frozen=True)
+class Counts:
+    """Runs of each point; every array has one dimension an axis, in the order of the axes."""
+
+    runs: np.ndarray
+    done: np.ndarray
+    failed: np.ndarray
+    met: dict  # of CRITERIA: done runs that met it
+
+    @property
+    def pending(self):
+        """Runs that wait."""
+        return self.runs - self.done - self.failed
+
+    def at(self, index):
+        """The counts of a part: `index` as for a numpy array."""
+        return Counts(self.runs[index], self.done[index], self.failed[index],
+                      {name: array[index] for name, array in self.met.items()})
+
+
+class Ensemble:
+    """A store, opened for reading only; a sweep may go on writing it.
+
+    path: of STORE.sqlite, format version 1 (docs/sweep-file.md)
+    Raises InputError where it is no such store.
+    """
+
+    def __init__(self, path):
+        self.path = Path(path)
+        if not self.path.is_file():
+            raise InputError(f"{path}: no such file; give the store of a sweep")
+        try:
+            with closing(self._opened()) as store:
+                self._read_plan(store)
+        except (sqlite3.Error, ValueError, TypeError, IndexError) as error:
+            raise InputError(f"{path}: is not the store of a sweep ({error});"
+                             " give the .sqlite file that zenosphere sweep writes") from error
+
+    def counts(self, limit=None):
+        """Counts of every point; with a limit, of what happened within so many collisions per
+        sphere (the end of a run where it ended earlier)."""
+        shape = [len(axis.values) for axis in self.axes]
+        numbers = np.zeros((3 + len(CRITERIA), *shape), dtype=int)
+        places = [{value: place for place, value in enumerate(axis.values)} for axis in self.axes]
+        for row in self._grouped(np.inf if limit is None else limit):
+            point = tuple(where[value] for where, value in zip(places, row))
+            numbers[(slice(None), *point)] = row[len(self.axes):]
+        runs, done, failed, *met = numbers
+        return Counts(runs, done, failed, dict(zip(CRITERIA, met)))
+
+    def boundaries(self):
+        """Rows of the table `boundary` of an adaptive search as dicts; none for a grid."""
+        with closing(self._opened()) as store:
+            known = store.execute("SELECT 1 FROM sqlite_master WHERE name = 'boundary'").fetchone()
+            if not known:
+                return []
+            store.row_factory = sqlite3.Row
+            return [dict(row) for row in store.execute("SELECT * FROM boundary ORDER BY point")]
+
+    def _opened(self):
+        return sqlite3.connect(f"{self.path.resolve().as_uri()}?mode=ro", uri=True)
+
+    def _read_plan(self, store):
+        version, self.seeds, self.program_version = store.execute(
+            "SELECT format_version, seeds, program_version FROM sweep").fetchone()
+        if version != FORMAT_VERSION:
+            raise ValueError(f"format version {version}, this program reads {FORMAT_VERSION}")
+        listed = store.execute('SELECT key, "values" FROM axis ORDER BY position').fetchall()
+        if not listed:
+            raise ValueError("no axis")
+        self.axes = tuple(Axis(key, _values(store, key, json.loads(text)))
+                          for key, text in listed)
+        self.longest = store.execute("SELECT MAX(collisions_per_sphere) FROM run").fetchone()[0]
+
+    def _grouped(self, limit):
+        keys = ", ".join(quoted(axis.key) for axis in self.axes)
+        sums = ", ".join(f"SUM(status = 'done' AND {CONDITIONS[name]})" for name in CRITERIA)
+        with closing(self._opened()) as store:
+            yield from store.execute(
+                f"SELECT {keys}, COUNT(*), SUM(status = 'done'), SUM(status = 'failed'), {sums}"
+                f" FROM {SCALED} GROUP BY {keys}", {"limit": limit * (1 + 1e-12)})  # a product is rounded
+
+
+def quoted(key):
+    """A column's name in SQL."""
+    return '"' + key.replace('"', '""') + '"'
+
+
+def _values(store, key, listed):
+    """The values of the runs, numbers ascending, words in the order of the sweep file."""
+    found = [value for value, in store.execute(f"SELECT DISTINCT {quoted(key)} FROM run")]
+    if all(isinstance(value, (int, float)) for value in found):
+        return tuple(sorted(found))
+    order = {str(value): place for place, value in enumerate(listed)}
+    return tuple(sorted(found, key=lambda value: order.get(str(value), len(order))))

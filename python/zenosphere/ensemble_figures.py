@@ -1,0 +1,218 @@
+"""The figures and tables of an ensemble."""
+
+import matplotlib
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from . import ensemble_panels as panels
+from . import words
+from .ensemble import CRITERIA
+from .ensemble_slices import chosen_parts, slices
+from .ensemble_table import crossing_rows, crossings_along, probability_rows, write_csv
+from .errors import OutputError
+from .panels import STYLE
+
+LENGTHS = 9  # run lengths of the figure, a factor of two apart
+DOTS_PER_INCH = 200
+
+
+def draw_ensemble(ensemble, folder, x=None, y=None):
+    """Writes the tables and the figures of a store; returns the paths.
+
+    folder: Path, made where missing;  x, y: keys of the curves' x and of the panels (rows of the
+    maps); by default restitution and solids volume fraction, else the axes with most values
+    Raises InputError, OutputError.
+    """
+    parts = chosen_parts(ensemble, x, y)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"{folder}: cannot be made ({error.strerror});"
+                          " choose another folder with -o") from error
+    counts = ensemble.counts()
+    written = [
+        write_csv(folder / "probabilities.csv", probability_rows(ensemble, counts)),
+        write_csv(folder / "boundaries.csv", crossing_rows(ensemble, counts, parts.x))]
+    for number, part in enumerate(slices(ensemble, parts)):
+        suffix = f"-{number + 1}" if parts.rest else ""
+        for name, draw in (("probability", _probabilities), ("map", _maps),
+                           ("boundary", _boundaries), ("run-length", _run_lengths)):
+            with matplotlib.rc_context(STYLE):
+                figure = draw(part)
+                written += _saved(figure, folder / f"{name}{suffix}.png") if figure else []
+    return written
+
+
+def _probabilities(part):
+    """P against x: a row for each criterion, a column for each y, a series for each third key."""
+    x_key, x = part.axis("x")
+    y_key, columns = part.axis("y")
+    x = np.array(x, dtype=float)
+    figure, grid = _grid(part, len(CRITERIA), len(columns), (1.75, 1.55))
+    step = np.diff(np.sort(x)).min() * 0.12
+    for (row, column), axes in np.ndenumerate(grid):
+        met = part.counts.met[CRITERIA[row]]
+        for number, style in enumerate(_styles(part)):
+            shift = step * (number - (met.shape[2] - 1) / 2)
+            panels.probability(axes, x, met[:, column, number],
+                               part.counts.done[:, column, number], style, shift)
+        axes.set_xlim(x.min() - 4 * step, x.max() + 4 * step)
+        _outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
+                      "P: " + panels.TITLES[CRITERIA[row]].replace(" ", "\n", 1))
+        if row == 0 and y_key:
+            axes.set_title(panels.said(y_key, columns[column]), fontsize=9)
+    _legend(grid[0, 0], part, "series")
+    return figure
+
+
+def _maps(part):
+    """P over x and y: a column for each criterion, a row for each third key; none without y."""
+    (x_key, x), (y_key, y), (row_key, rows) = (part.axis(name) for name in ("x", "y", "series"))
+    if y_key is None:
+        return None
+    size = 0.33 * len(x) + 0.4, 0.27 * len(y) + 0.35
+    figure, grid = _grid(part, len(rows), len(CRITERIA), size)
+    for (row, column), axes in np.ndenumerate(grid):
+        counts = part.counts
+        image = panels.probability_map(axes, x, y, counts.met[CRITERIA[column]][:, :, row],
+                                       counts.done[:, :, row], counts.runs[:, :, row])
+        name = panels.symbol(y_key)
+        _outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
+                      f"{panels.said(row_key, rows[row])}\n{name}" if row_key else name)
+        if row == 0:
+            axes.set_title(panels.TITLES[CRITERIA[column]], fontsize=9)
+    figure.colorbar(image, ax=grid, label="fraction of the runs", shrink=0.6)
+    return figure
+
+
+def _boundaries(part):
+    """Where P crosses 1/2 along x: a row for each criterion, against y and against the third."""
+    x_key, _ = part.axis("x")
+    against = [name for name in ("y", "series") if part.axis(name)[0]]
+    found, span = crossings_of(part), _span(part)
+    if not against or all(each.how in ("nothing", "unclear") for each in found["separation"].flat):
+        return None
+    figure, grid = _grid(part, 2, len(against), (2.9, 2.2), sharex="col", sharey=True)
+    for (row, column), axes in np.ndenumerate(grid):
+        name = ("separation", "arrest")[row]
+        other = "series" if against[column] == "y" else "y"
+        table = found[name] if against[column] == "y" else found[name].T
+        key, values = part.axis(against[column])
+        for number, style in enumerate(_styles(part, other)):
+            shift = 1 + 0.012 * (number - (table.shape[1] - 1) / 2)
+            panels.boundary(axes, values, table[:, number], style, span, shift)
+        if min(values) > 0 and max(values) / min(values) > 7:
+            _log_scale(axes, values)
+        _outer_labels(axes, grid.shape, (row, column), panels.label(key),
+                      f"{panels.symbol(x_key)} where P = 1/2:\n{panels.TITLES[name]}")
+        if row == 0:
+            _legend(axes, part, other)
+    return figure
+
+
+def _run_lengths(part):
+    """The crossings of both criteria against the length of the runs, at the last third key."""
+    x_key, _ = part.axis("x")
+    longest = part.ensemble.longest
+    if not longest:
+        return None
+    lengths = longest / 2.0 ** np.arange(LENGTHS)[::-1]
+    found = [crossings_of(part.with_limit(limit).last()) for limit in lengths]
+    figure, grid = _grid(part, 1, 2, (2.9, 2.4), sharey=True)
+    for axes, name in zip(grid[0], ("separation", "arrest")):
+        for number, style in enumerate(_styles(part, "y")):
+            row = [each[name][number, -1] for each in found]
+            panels.boundary(axes, lengths, row, style, _span(part),
+                            1 + 0.03 * (number - len(part.axis("y")[1]) / 2))
+        axes.set_xscale("log")
+        axes.set_xlabel("Run length (collisions per sphere)")
+        axes.set_title(panels.TITLES[name], fontsize=9)
+    key, values = part.axis("series")
+    at = f"\n({panels.said(key, values[-1])})" if key else ""
+    grid[0, 0].set_ylabel(f"{panels.symbol(x_key)} where P = 1/2{at}")
+    _legend(grid[0, 0], part, "y")
+    return figure
+
+
+def crossings_of(part):
+    """For both criteria, an array of Crossing over (y, series)."""
+    return crossings_along(part.axis("x")[1], part.counts, 0)
+
+
+def _span(part):
+    """(where the crossing lies if P is below 1/2 in the whole range, where if above)."""
+    x = np.array(part.axis("x")[1], dtype=float)
+    hits, done = (array.sum(axis=(1, 2)) for array in (part.counts.met["separation"],
+                                                       part.counts.done))
+    known = done > 0
+    falls = np.polyfit(x[known], hits[known] / done[known], 1)[0] <= 0 if known.sum() > 1 else True
+    return (x.min(), x.max()) if falls else (x.max(), x.min())
+
+
+def _styles(part, name="series"):
+    """(colour, marker) of each value of an axis."""
+    return [(panels.COLOURS[number % len(panels.COLOURS)],
+             panels.MARKERS[number % len(panels.MARKERS)])
+            for number in range(len(part.axis(name)[1]))]
+
+
+def _grid(part, rows, columns, size, **sharing):
+    """A figure with a heading that says what is incomplete, and its axes (rows, columns)."""
+    figure = Figure(figsize=(max(columns * size[0] + 0.9, 4.2), rows * size[1] + 0.8),
+                    dpi=DOTS_PER_INCH, layout="constrained")
+    grid = figure.subplots(rows, columns, squeeze=False, **sharing)
+    figure.suptitle(_heading(part), fontsize=9, x=0.01, ha="left")
+    return figure, grid
+
+
+def _heading(part):
+    counts, most = part.counts, int(part.counts.done.max())
+    runs, done, failed, pending = (int(getattr(counts, name).sum())
+                                   for name in ("runs", "done", "failed", "pending"))
+    least = int(counts.done.min())
+    text = (f"{words.grouped(done)} runs, {least if least == most else f'{least} to {most}'} a"
+            " point; bars: 95 %")
+    if done < runs:
+        text += f"; incomplete: {pending} pending, {failed} failed of {runs} (maps: hatched)"
+    others = ", ".join(panels.said(key, value) for key, value in part.others)
+    return (f"{others}: {text}" if others else text).replace(words.SPACE, " ")
+
+
+def _outer_labels(axes, shape, place, x_label, y_label):
+    """Labels and numbers at the left and bottom of the grid only."""
+    if place[0] == shape[0] - 1:
+        axes.set_xlabel(x_label)
+    else:
+        axes.tick_params(labelbottom=False)
+    if place[1] == 0:
+        axes.set_ylabel(y_label, fontsize=9)
+    else:
+        axes.tick_params(labelleft=False)
+
+
+def _handles(part, name):
+    key, values = part.axis(name)
+    return [Line2D([], [], color=colour, marker=marker, markersize=4, linewidth=0.8,
+                   markeredgewidth=0, label=panels.said(key, value))
+            for value, (colour, marker) in zip(values, _styles(part, name))]
+
+
+def _legend(axes, part, name):
+    if part.axis(name)[0]:
+        axes.legend(handles=_handles(part, name), fontsize=7, loc="best")
+
+
+def _log_scale(axes, values):
+    axes.set_xscale("log")
+    axes.set_xticks(values, [words.short(value) for value in values], minor=False)
+    axes.set_xticks([], minor=True)
+
+
+def _saved(figure, path):
+    try:
+        figure.savefig(path)
+    except OSError as error:
+        raise OutputError(f"{path}: cannot be written ({error.strerror});"
+                          " choose another folder with -o") from error
+    return [path]

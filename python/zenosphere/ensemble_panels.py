@@ -1,0 +1,101 @@
+"""Draws the panels of an ensemble: probabilities, maps, and where they cross one half."""
+
+import numpy as np
+
+from . import words
+from .proportions import fraction, wilson_interval
+
+# Okabe & Ito's palette; with the markers, distinct to every kind of colour vision and in grey.
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#1b2a41")
+MARKERS = "osD^vPX"
+MAP = "cividis"  # even in lightness for every kind of colour vision
+NAMES = {
+    "system.restitution": ("$e$", "Restitution $e$"),
+    "system.solids_volume_fraction": (r"$\phi$", r"Solids volume fraction $\phi$"),
+    "system.spheres": ("$N$", "Number of spheres $N$"),
+    "drive.shear_rate": (r"$\dot\gamma$", r"Shear rate $\dot\gamma$"),
+}
+TITLES = {"separation": "separation criterion met", "arrest": "arrest criterion met",
+          "false positive": "separation without arrest"}
+
+
+def symbol(key):
+    """Short name of a key: its symbol, or its last word."""
+    return NAMES.get(key, (key.split(".")[-1].replace("_", " "),))[0]
+
+
+def label(key):
+    """Name of a key on an axis."""
+    return NAMES.get(key, ("", key))[1]
+
+
+def said(key, value):
+    """`e = 0.2`."""
+    number = words.short(value) if not isinstance(value, int) else words.grouped(value)
+    return f"{symbol(key)} = {number.replace(words.SPACE, ' ')}"
+
+
+def probability(axes, x, met, done, style, shift=0.0):
+    """P with its 95 % interval against x, one series.
+
+    x: (K);  met, done: (K) counts;  style: (colour, marker);  shift: of x, so that bars of
+    neighbouring series stay apart
+    """
+    low, high = wilson_interval(met, done)
+    p = fraction(met, done)
+    known = done > 0
+    axes.errorbar(x[known] + shift, p[known], yerr=_bars(p, low, high)[:, known], color=style[0],
+                  marker=style[1], markersize=3.6, linewidth=0.8, elinewidth=0.7, capsize=1.5,
+                  markeredgewidth=0, clip_on=False, zorder=3)
+    axes.set_ylim(0, 1)
+
+
+def _bars(p, low, high):
+    return np.maximum([p - low, high - p], 0)
+
+
+def probability_map(axes, x, y, met, done, runs):
+    """P as colour over x and y; a cell whose runs are not all done is hatched, one without is grey.
+
+    x: axis of the columns (K values), y: of the rows (M);  met, done, runs: (K, M) counts
+    Returns the image for a colour bar.
+    """
+    p = np.ma.masked_invalid(fraction(met, done).T)
+    axes.set_facecolor("#d9d9d9")
+    image = axes.pcolormesh(np.arange(len(x) + 1), np.arange(len(y) + 1), p, cmap=MAP, vmin=0,
+                            vmax=1, edgecolors="white", linewidth=0.6)
+    for row, column in np.ndindex(p.shape):
+        if done.T[row, column] < runs.T[row, column]:
+            axes.fill_between([column, column + 1], row, row + 1, facecolor="none",
+                              edgecolor="#d55e00", hatch="///", linewidth=0)
+        if done.T[row, column]:
+            axes.text(column + 0.5, row + 0.5, f"{p[row, column]:.2g}", ha="center", va="center",
+                      fontsize=6.5, color="white" if p[row, column] < 0.55 else "black")
+    axes.set_xticks(np.arange(len(x)) + 0.5, [words.short(value) for value in x])
+    axes.set_yticks(np.arange(len(y)) + 0.5, [words.short(value) for value in y])
+    axes.tick_params(length=0)
+    return image
+
+
+def boundary(axes, values, crossings, style, span, shift=1.0):
+    """The place of the crossing against another key, with its interval; hollow marks at the end of
+    the range where P stays on one side of 1/2.
+
+    values: (K);  crossings: K of Crossing;  style: (colour, marker)
+    span: (where it must lie if P is below 1/2 in the whole range, where if above), two ends of x
+    shift: factor of the values, so that bars of neighbouring series stay apart
+    """
+    first, last = min(span), max(span)
+    known = [(value * shift, each) for value, each in zip(values, crossings)
+             if each.place is not None]
+    if known:
+        place = np.array([each.place for _, each in known])
+        low = np.array([first if each.low is None else each.low for _, each in known])
+        high = np.array([last if each.high is None else each.high for _, each in known])
+        axes.errorbar([value for value, _ in known], place, yerr=_bars(place, low, high),
+                      color=style[0], marker=style[1], markersize=4, linewidth=0.8, elinewidth=0.8,
+                      capsize=2, markeredgewidth=0, zorder=3)
+    for value, each in zip(values, crossings):
+        if each.how in ("below", "above"):
+            axes.plot(value * shift, span[each.how == "above"], style[1], color=style[0],
+                      markerfacecolor="white", markersize=4, clip_on=False, zorder=4)

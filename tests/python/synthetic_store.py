@@ -1,0 +1,56 @@
+"""Stores of sweeps as zenosphere sweep writes them (docs/sweep-file.md), with outcomes given."""
+
+import itertools
+import json
+import sqlite3
+
+COLUMNS = """run INTEGER PRIMARY KEY, point INTEGER, replica INTEGER, seed INTEGER, {axes},
+ status TEXT, error TEXT, outcome TEXT, ended_by TEXT, verdict TEXT, collisions INTEGER,
+ collisions_per_sphere REAL, time REAL, strain REAL, separation_hits INTEGER,
+ separation_first_collision INTEGER, separation_first_time REAL,
+ separation_last_collision INTEGER, arrest_met INTEGER, arrest_collision INTEGER,
+ arrest_time REAL, wall_seconds REAL, program_version TEXT"""
+
+
+def write_store(path, axes, outcome, seeds=10, spheres=100):
+    """Writes a store and returns its path.
+
+    axes: {key: values};  outcome: (values of the point as dict, replica) -> (first hit, arrest) in
+    collisions per sphere, each None where it did not happen; or "pending"; or "failed"
+    """
+    with sqlite3.connect(path) as store:
+        store.execute("CREATE TABLE sweep (format_version INTEGER, sweep_file TEXT,"
+                      " base_case TEXT, master_seed INTEGER, seeds INTEGER, program_version TEXT)")
+        store.execute("INSERT INTO sweep VALUES (1, '', '', 1, ?, '0.1.0')", (seeds,))
+        store.execute('CREATE TABLE axis (position INTEGER PRIMARY KEY, key TEXT, "values" TEXT)')
+        store.executemany("INSERT INTO axis VALUES (?, ?, ?)", (
+            (place, key, json.dumps(list(values))) for place, (key, values) in
+            enumerate(axes.items())))
+        store.execute(f"CREATE TABLE run ({COLUMNS.format(axes=_declared(axes))})")
+        points = list(itertools.product(*axes.values()))
+        for run, (replica, (point, values)) in enumerate(
+                itertools.product(range(seeds), enumerate(points))):
+            keys = dict(zip(axes, values))
+            row = {"run": run, "point": point, "replica": replica, **keys,
+                   **_came_to(outcome(keys, replica), keys.get("system.spheres", spheres))}
+            names = ", ".join(f'"{name}"' for name in row)
+            store.execute(f"INSERT INTO run ({names}) VALUES ({', '.join('?' * len(row))})",
+                          list(row.values()))
+    return path
+
+
+def _declared(axes):
+    return ", ".join(f'"{key}" {"TEXT" if isinstance(values[0], str) else "REAL"}'
+                     for key, values in axes.items())
+
+
+def _came_to(outcome, spheres, length=500):
+    """Columns of a run that ends at its arrest or after `length` collisions per sphere."""
+    if isinstance(outcome, str):
+        return {"status": outcome, "error": "start" if outcome == "failed" else None}
+    hit, arrest = (None if moment is None else round(moment * spheres / 2) for moment in outcome)
+    collisions = length * spheres // 2 if arrest is None else arrest
+    return {"status": "done", "collisions": collisions,
+            "collisions_per_sphere": 2 * collisions / spheres, "separation_hits": int(hit or 0),
+            "separation_first_collision": hit, "arrest_met": int(arrest is not None),
+            "arrest_collision": arrest}
