@@ -27,6 +27,22 @@ Real fifth_root(const Real& x) {
   }
 }
 
+/// The exponential of x, good to a few ulps; 0 where it would be below 1e-300.
+///
+/// e^x = 2^n e^r with |r| <= ln 2 / 2, and e^r by its power series.
+///
+/// \param x  <= 700
+inline double portable_exp(double x) {
+  if (x < -690) return 0;
+  constexpr double ln2_high = 0x1.62e42fefa38p-1;  // 42 bits: n times it is exact
+  constexpr double ln2_low = 0x1.ef35793c7673p-45;
+  const double n = std::nearbyint(x / ln2_high);
+  const double r = (x - n * ln2_high) - n * ln2_low;
+  double sum = 1;
+  for (int k = 14; k >= 1; --k) sum = 1 + sum * r / k;  // 0.35^15 / 15! = 1e-19
+  return std::ldexp(sum, static_cast<int>(n));
+}
+
 /// Sine and cosine of an angle.
 template <class Real>
 struct SineAndCosine {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "model/real.hpp"
@@ -45,6 +46,14 @@ TEST(SineAndCosine, KeepTheLengthInEveryPrecision) {
   EXPECT_LT(abs(error), Digits100("1e-99"));
   // sin(1) = 0.84147098480789650665250232163029899962...
   EXPECT_LT(abs(sine - Digits100("0.84147098480789650665250232163029899962")), Digits100("1e-37"));
+}
+
+TEST(Elementary, ExponentialAgreesWithTheLibraryToAFewUlps) {
+  for (double x = -680; x < 690; x += 0.7531) {
+    EXPECT_NEAR(portable_exp(x) / std::exp(x), 1, 4 * std::numeric_limits<double>::epsilon()) << x;
+  }
+  EXPECT_EQ(portable_exp(0), 1);
+  EXPECT_EQ(portable_exp(-1000), 0);
 }
 
 }  // namespace
