@@ -11,12 +11,13 @@ import numpy as np
 from .errors import InputError
 
 FORMAT_VERSION = 1
-CRITERIA = ("separation", "arrest", "false positive")
+CRITERIA = ("separation", "arrest", "false positive", "open")
 CONDITIONS = {  # SQL: the run met it, within :limit collisions per sphere
     "separation": "COALESCE(separation_first_collision * scale <= :limit, 0)",
     "arrest": "COALESCE(arrest_collision * scale <= :limit, 0)",
 }
-CONDITIONS["false positive"] = (f"({CONDITIONS['separation']} = 1 AND {CONDITIONS['arrest']} = 0)")
+CONDITIONS["false positive"] = f"({CONDITIONS['separation']} = 1 AND {CONDITIONS['arrest']} = 0)"
+CONDITIONS["open"] = "COALESCE(verdict = 'open', 0)"  # a false positive that might arrest yet
 # Collisions per sphere = 2 collisions / N, and N need not be an axis.
 SCALED = ("(SELECT *, collisions_per_sphere / NULLIF(collisions, 0) AS scale FROM run)")
 

@@ -49,7 +49,7 @@ def _probabilities(part):
     x_key, x = part.axis("x")
     y_key, columns = part.axis("y")
     x = np.array(x, dtype=float)
-    figure, grid = _grid(part, len(CRITERIA), len(columns), (1.75, 1.55))
+    figure, grid = _grid(part, 3, len(columns), (1.75, 1.55))
     step = np.diff(np.sort(x)).min() * 0.12
     for (row, column), axes in np.ndenumerate(grid):
         met = part.counts.met[CRITERIA[row]]

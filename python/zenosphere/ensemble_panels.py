@@ -16,7 +16,7 @@ NAMES = {
     "drive.shear_rate": (r"$\dot\gamma$", r"Shear rate $\dot\gamma$"),
 }
 TITLES = {"separation": "separation criterion met", "arrest": "arrest criterion met",
-          "false positive": "separation without arrest"}
+          "false positive": "separation without arrest", "open": "of these, open at the end"}
 
 
 def symbol(key):

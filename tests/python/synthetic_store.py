@@ -53,4 +53,5 @@ def _came_to(outcome, spheres, length=500):
     return {"status": "done", "collisions": collisions,
             "collisions_per_sphere": 2 * collisions / spheres, "separation_hits": int(hit or 0),
             "separation_first_collision": hit, "arrest_met": int(arrest is not None),
-            "arrest_collision": arrest}
+            "arrest_collision": arrest,
+            "verdict": "true" if arrest else "none" if hit is None else "open"}

@@ -39,6 +39,7 @@ def test_counts_are_those_of_the_runs(tmp_path):
     assert counts.met["separation"].tolist() == [[10, 10], [5, 5], [0, 0]]
     assert counts.met["arrest"].tolist() == [[10, 10], [0, 0], [0, 0]]
     assert counts.met["false positive"].tolist() == [[0, 0], [5, 5], [0, 0]]
+    assert counts.met["open"].tolist() == [[0, 0], [5, 5], [0, 0]]
 
 
 def test_a_shorter_run_has_met_less(tmp_path):
