@@ -13,6 +13,7 @@ from .errors import InputError, OutputError
 from .figures import FALSE_POSITIVE, TRUE_COLLAPSE, draw_general_figures, draw_paper_figures
 from .report import write_report
 from .run_file import RunFile
+from .search_figures import draw_search
 
 
 def main(arguments=None):
@@ -59,7 +60,10 @@ def _cooling(options):
 
 
 def _ensemble(options):
-    for path in draw_ensemble(Ensemble(options.file), options.output, options.x, options.y):
+    ensemble = Ensemble(options.file)
+    written = (draw_search(ensemble, options.output) if ensemble.boundaries() else
+               draw_ensemble(ensemble, options.output, options.x, options.y))
+    for path in written:
         print(path)
 
 

@@ -94,6 +94,15 @@ class Ensemble:
             store.row_factory = sqlite3.Row
             return [dict(row) for row in store.execute("SELECT * FROM boundary ORDER BY point")]
 
+    def searched(self, point, key, criterion):
+        """Places and results of the finished runs at a point of a search: float (K), bool (K)."""
+        with closing(self._opened()) as store:
+            rows = store.execute(
+                f"SELECT {quoted(key)}, {CONDITIONS[criterion]} FROM {SCALED} WHERE point = :point"
+                " AND status = 'done' ORDER BY run", {"point": point, "limit": np.inf}).fetchall()
+        x, met = zip(*rows) if rows else ((), ())
+        return np.array(x, dtype=float), np.array(met, dtype=bool)
+
     def _opened(self):
         return sqlite3.connect(f"{self.path.resolve().as_uri()}?mode=ro", uri=True)
 

@@ -25,11 +25,7 @@ def draw_ensemble(ensemble, folder, x=None, y=None):
     Raises InputError, OutputError.
     """
     parts = chosen_parts(ensemble, x, y)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise OutputError(f"{folder}: cannot be made ({error.strerror});"
-                          " choose another folder with -o") from error
+    made_folder(folder)
     counts = ensemble.counts()
     written = [
         write_csv(folder / "probabilities.csv", probability_rows(ensemble, counts)),
@@ -40,7 +36,7 @@ def draw_ensemble(ensemble, folder, x=None, y=None):
                            ("boundary", _boundaries), ("run-length", _run_lengths)):
             with matplotlib.rc_context(STYLE):
                 figure = draw(part)
-                written += _saved(figure, folder / f"{name}{suffix}.png") if figure else []
+                written += saved(figure, folder / f"{name}{suffix}.png") if figure else []
     return written
 
 
@@ -49,7 +45,7 @@ def _probabilities(part):
     x_key, x = part.axis("x")
     y_key, columns = part.axis("y")
     x = np.array(x, dtype=float)
-    figure, grid = _grid(part, 3, len(columns), (1.75, 1.55))
+    figure, grid = figure_grid(_heading(part), 3, len(columns), (1.75, 1.55))
     step = np.diff(np.sort(x)).min() * 0.12
     for (row, column), axes in np.ndenumerate(grid):
         met = part.counts.met[CRITERIA[row]]
@@ -58,7 +54,7 @@ def _probabilities(part):
             panels.probability(axes, x, met[:, column, number],
                                part.counts.done[:, column, number], style, shift)
         axes.set_xlim(x.min() - 4 * step, x.max() + 4 * step)
-        _outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
+        outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
                       "P: " + panels.TITLES[CRITERIA[row]].replace(" ", "\n", 1))
         if row == 0 and y_key:
             axes.set_title(panels.said(y_key, columns[column]), fontsize=9)
@@ -72,13 +68,13 @@ def _maps(part):
     if y_key is None:
         return None
     size = 0.33 * len(x) + 0.4, 0.27 * len(y) + 0.35
-    figure, grid = _grid(part, len(rows), len(CRITERIA), size)
+    figure, grid = figure_grid(_heading(part), len(rows), len(CRITERIA), size)
     for (row, column), axes in np.ndenumerate(grid):
         counts = part.counts
         image = panels.probability_map(axes, x, y, counts.met[CRITERIA[column]][:, :, row],
                                        counts.done[:, :, row], counts.runs[:, :, row])
         name = panels.symbol(y_key)
-        _outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
+        outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
                       f"{panels.said(row_key, rows[row])}\n{name}" if row_key else name)
         if row == 0:
             axes.set_title(panels.TITLES[CRITERIA[column]], fontsize=9)
@@ -93,7 +89,7 @@ def _boundaries(part):
     found, span = crossings_of(part), _span(part)
     if not against or all(each.how in ("nothing", "unclear") for each in found["separation"].flat):
         return None
-    figure, grid = _grid(part, 2, len(against), (2.9, 2.2), sharex="col", sharey=True)
+    figure, grid = figure_grid(_heading(part), 2, len(against), (2.9, 2.2), sharex="col", sharey=True)
     for (row, column), axes in np.ndenumerate(grid):
         name = ("separation", "arrest")[row]
         other = "series" if against[column] == "y" else "y"
@@ -104,7 +100,7 @@ def _boundaries(part):
             panels.boundary(axes, values, table[:, number], style, span, shift)
         if min(values) > 0 and max(values) / min(values) > 7:
             _log_scale(axes, values)
-        _outer_labels(axes, grid.shape, (row, column), panels.label(key),
+        outer_labels(axes, grid.shape, (row, column), panels.label(key),
                       f"{panels.symbol(x_key)} where P = 1/2:\n{panels.TITLES[name]}")
         if row == 0:
             _legend(axes, part, other)
@@ -119,7 +115,7 @@ def _run_lengths(part):
         return None
     lengths = longest / 2.0 ** np.arange(LENGTHS)[::-1]
     found = [crossings_of(part.with_limit(limit).last()) for limit in lengths]
-    figure, grid = _grid(part, 1, 2, (2.9, 2.4), sharey=True)
+    figure, grid = figure_grid(_heading(part), 1, 2, (2.9, 2.4), sharey=True)
     for axes, name in zip(grid[0], ("separation", "arrest")):
         for number, style in enumerate(_styles(part, "y")):
             row = [each[name][number, -1] for each in found]
@@ -151,22 +147,20 @@ def _span(part):
 
 
 def _styles(part, name="series"):
-    """(colour, marker) of each value of an axis."""
-    return [(panels.COLOURS[number % len(panels.COLOURS)],
-             panels.MARKERS[number % len(panels.MARKERS)])
-            for number in range(len(part.axis(name)[1]))]
+    return panels.styles(len(part.axis(name)[1]))
 
 
-def _grid(part, rows, columns, size, **sharing):
-    """A figure with a heading that says what is incomplete, and its axes (rows, columns)."""
-    figure = Figure(figsize=(max(columns * size[0] + 0.9, 4.2), rows * size[1] + 0.8),
-                    dpi=DOTS_PER_INCH, layout="constrained")
+def figure_grid(heading, rows, columns, size, **sharing):
+    """A figure with a heading, and its axes (rows, columns); size: of one of them, inches."""
+    figure = Figure(figsize=(max(columns * size[0] + 0.9, 4.2),
+                             max(rows * size[1] + 0.8, 2.6)), dpi=DOTS_PER_INCH, layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False, **sharing)
-    figure.suptitle(_heading(part), fontsize=9, x=0.01, ha="left")
+    figure.suptitle(heading, fontsize=9, x=0.01, ha="left")
     return figure, grid
 
 
 def _heading(part):
+    """How many runs are shown, and what is incomplete."""
     counts, most = part.counts, int(part.counts.done.max())
     runs, done, failed, pending = (int(getattr(counts, name).sum())
                                    for name in ("runs", "done", "failed", "pending"))
@@ -179,7 +173,7 @@ def _heading(part):
     return (f"{others}: {text}" if others else text).replace(words.SPACE, " ")
 
 
-def _outer_labels(axes, shape, place, x_label, y_label):
+def outer_labels(axes, shape, place, x_label, y_label):
     """Labels and numbers at the left and bottom of the grid only."""
     if place[0] == shape[0] - 1:
         axes.set_xlabel(x_label)
@@ -191,16 +185,18 @@ def _outer_labels(axes, shape, place, x_label, y_label):
         axes.tick_params(labelleft=False)
 
 
-def _handles(part, name):
-    key, values = part.axis(name)
-    return [Line2D([], [], color=colour, marker=marker, markersize=4, linewidth=0.8,
-                   markeredgewidth=0, label=panels.said(key, value))
-            for value, (colour, marker) in zip(values, _styles(part, name))]
-
-
 def _legend(axes, part, name):
-    if part.axis(name)[0]:
-        axes.legend(handles=_handles(part, name), fontsize=7, loc="best")
+    key, values = part.axis(name)
+    if key:
+        series_legend(axes, key, values)
+
+
+def series_legend(axes, key, values):
+    """Says which colour and marker is which value of a key."""
+    axes.legend(fontsize=7, handles=[
+        Line2D([], [], color=colour, marker=marker, markersize=4, linewidth=0.8,
+               markeredgewidth=0, label=panels.said(key, value))
+        for value, (colour, marker) in zip(values, panels.styles(len(values)))])
 
 
 def _log_scale(axes, values):
@@ -209,7 +205,17 @@ def _log_scale(axes, values):
     axes.set_xticks([], minor=True)
 
 
-def _saved(figure, path):
+def made_folder(folder):
+    """Makes a folder where there is none. Raises OutputError."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"{folder}: cannot be made ({error.strerror});"
+                          " choose another folder with -o") from error
+
+
+def saved(figure, path):
+    """Writes a figure and returns its path in a list. Raises OutputError."""
     try:
         figure.savefig(path)
     except OSError as error:

@@ -29,6 +29,12 @@ def label(key):
     return NAMES.get(key, ("", key))[1]
 
 
+def styles(count):
+    """(colour, marker) of so many series."""
+    return [(COLOURS[number % len(COLOURS)], MARKERS[number % len(MARKERS)])
+            for number in range(count)]
+
+
 def said(key, value):
     """`e = 0.2`."""
     number = words.short(value) if not isinstance(value, int) else words.grouped(value)
