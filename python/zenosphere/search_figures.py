@@ -44,7 +44,9 @@ def _searches(ensemble, rows):
             axes.plot(number[chosen], x[chosen], "o", color=panels.COLOURS[0], markersize=3,
                       markerfacecolor=face, markeredgewidth=0.7)
         if row["place"] is not None:
-            axes.axhspan(row["low"], row["high"], color=panels.COLOURS[4], alpha=0.35, linewidth=0)
+            ends = [row[end] if row[name] is None else row[name]
+                    for name, end in (("low", "from"), ("high", "to"))]
+            axes.axhspan(*ends, color=panels.COLOURS[4], alpha=0.35, linewidth=0)
         axes.set_title(", ".join(panels.said(each, row[each]) for each in _others(row))
                        + f" ({row['finding']})", fontsize=7.5)
         outer_labels(axes, grid.shape, place, "Run", panels.label(key))
@@ -64,7 +66,7 @@ def _boundaries(ensemble, rows):
         return None
     key, values = numeric[0].key, numeric[0].values
     other = numeric[1] if len(numeric) > 1 else None
-    crossings = {tuple(row[axis.key] for axis in numeric[:2]): _crossing(row) for row in rows}
+    crossings = {tuple(row[axis.key] for axis in numeric[:2]): crossing_of(row) for row in rows}
     figure, grid = figure_grid("bars: 95 %", 1, 1, (3.6, 2.4))
     span = rows[0]["from"], rows[0]["to"]
     series_values = other.values if other else (None,)
@@ -79,6 +81,7 @@ def _boundaries(ensemble, rows):
     return figure
 
 
-def _crossing(row):
+def crossing_of(row):
+    """A row of the table `boundary` as what a grid would have given."""
     how = {"crossing": "fit", "unresolved": "unclear"}.get(row["finding"], row["finding"])
     return Crossing(row["place"], row["low"], row["high"], how)

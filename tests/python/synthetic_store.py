@@ -55,3 +55,24 @@ def _came_to(outcome, spheres, length=500):
             "separation_first_collision": hit, "arrest_met": int(arrest is not None),
             "arrest_collision": arrest,
             "verdict": "true" if arrest else "none" if hit is None else "open"}
+
+
+def write_search(path, findings, axis="system.restitution", other="system.solids_volume_fraction"):
+    """Writes the store of an adaptive search with eight runs a point, and returns its path.
+
+    findings: {value of the other axis: (finding, place, low, high)}
+    """
+    write_store(path, {other: tuple(findings), axis: (0.1, 0.2, 0.3, 0.4)},
+                lambda keys, _: (5, None) if keys[axis] < 0.25 else (None, None), seeds=2)
+    with sqlite3.connect(path) as store:
+        places = {value: number for number, value in enumerate(findings)}
+        for value, number in places.items():
+            store.execute(f'UPDATE run SET point = ? WHERE "{other}" = ?', (number, value))
+        store.execute(f'CREATE TABLE boundary (point INTEGER PRIMARY KEY, "{other}" REAL,'
+                      ' axis TEXT, criterion TEXT, "from" REAL, "to" REAL, finding TEXT,'
+                      ' place REAL, low REAL, high REAL, rounds INTEGER, runs INTEGER,'
+                      ' failed INTEGER)')
+        store.executemany(f"INSERT INTO boundary VALUES ({', '.join('?' * 13)})", (
+            (number, value, axis, "separation", 0.1, 0.4, *findings[value], 1, 8, 0)
+            for value, number in places.items()))
+    return path
