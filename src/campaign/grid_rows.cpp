@@ -14,13 +14,6 @@ namespace zenosphere {
 
 namespace {
 
-/// A value as the column of its axis holds it.
-Cell column_cell(const case_format::Value& value) {
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  return column_text(value);
-}
-
 /// The rows of a grid that grows.
 class Rows {
  public:
@@ -139,6 +132,12 @@ class Rows {
 };
 
 }  // namespace
+
+Cell column_cell(const case_format::Value& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  return column_text(value);
+}
 
 void add_rows(Database& database, const Sweep& sweep, const StoredSweep* before) {
   Rows(database, sweep, before).add_missing();

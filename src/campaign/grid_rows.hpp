@@ -6,6 +6,9 @@
 
 namespace zenosphere {
 
+/// A value as the column of its axis holds it.
+Cell column_cell(const case_format::Value& value);
+
 /// Adds a row for every run of a sweep that the store does not have yet, to be run.
 ///
 /// The order is: replica outermost, then the axes with the last one fastest. What a sweep that has

@@ -63,6 +63,7 @@ void Response::forget_the_impossible() {
     node.falling = node.falling < impossible * most ? 0 : node.falling / most;
   }
   std::erase_if(nodes_, [](const Node& node) { return node.rising + node.falling == 0; });
+  if (nodes_.size() < nodes_.capacity() / 2) nodes_.shrink_to_fit();
 }
 
 double Response::total() const {

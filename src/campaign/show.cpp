@@ -38,6 +38,10 @@ std::string case_text_of_run(const std::string& file, std::int64_t run) {
     return text_of(case_of_run(sweep.base, sweep.stop, task.overrides), file, run);
   }
   const Sweep sweep = read_sweep(file);
+  if (sweep.boundary) {
+    throw InputError(
+        fmt::format("{}: describes a search (its runs follow from results); give its store", file));
+  }
   if (run < 0 || run >= sweep.runs()) {
     throw InputError(
         fmt::format("--run {}: there is no such run in {} (0 to {})", run, file, sweep.runs() - 1));

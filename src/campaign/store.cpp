@@ -100,6 +100,7 @@ SweepStore::SweepStore(const std::filesystem::path& path, const Sweep& sweep)
   if (is_new) {
     Transaction transaction(database_);
     create_tables(database_, sweep);
+    if (sweep.boundary) create_boundary_table(database_, sweep);
     add_rows(database_, sweep, nullptr);
     transaction.commit();
   } else {
@@ -116,6 +117,7 @@ SweepStore::SweepStore(const std::filesystem::path& path, const Sweep& sweep)
 void SweepStore::take_over(const Sweep& sweep) {
   require_whole(database_);
   const StoredSweep before = stored_sweep(database_);
+  require_same_search(database_, sweep);
   require_same(before, sweep, name());
   Transaction transaction(database_);
   add_rows(database_, sweep, &before);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/boundary_rounds.hpp"
 #include "campaign/database.hpp"
 #include "campaign/store_lock.hpp"
 #include "campaign/stored_sweep.hpp"
@@ -58,6 +59,9 @@ class SweepStore {
   ///
   /// Throws InputError where it holds another sweep, OutputError where it cannot be used.
   SweepStore(const std::filesystem::path& path, const Sweep& sweep);
+
+  /// The rounds of a search; the store and the sweep must outlive them.
+  BoundaryRounds rounds(const Sweep& sweep) { return {database_, sweep}; }
 
   /// Makes runs that have failed pending again.
   void forget_failures();

@@ -16,9 +16,7 @@ namespace zenosphere {
 
 using case_format::Key;
 
-namespace {
-
-std::string type_of(Storage storage) {
+std::string_view sqlite_type(Storage storage) {
   switch (storage) {
     case Storage::integer:
       return "INTEGER";
@@ -30,12 +28,14 @@ std::string type_of(Storage storage) {
   return "TEXT";
 }
 
+namespace {
+
 std::string run_table(const std::vector<SweepAxis>& axes) {
   std::string sql =
       "CREATE TABLE run (run INTEGER PRIMARY KEY, point INTEGER NOT NULL, replica INTEGER NOT "
       "NULL, seed INTEGER NOT NULL";
   for (const SweepAxis& axis : axes) {
-    sql += fmt::format(", \"{}\" {} NOT NULL", axis.path(), type_of(storage_of(*axis.key)));
+    sql += fmt::format(", \"{}\" {} NOT NULL", axis.path(), sqlite_type(storage_of(*axis.key)));
   }
   sql += ", status TEXT NOT NULL, error TEXT";
   for (const ResultColumn& column : result_columns()) {

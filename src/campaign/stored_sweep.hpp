@@ -32,6 +32,9 @@ struct StoredSweep {
   std::string git_hash;
 };
 
+/// The type of a column.
+std::string_view sqlite_type(Storage storage);
+
 /// Creates the tables of a store for a sweep, without runs.
 void create_tables(Database& database, const Sweep& sweep);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/axis.hpp"
+#include "campaign/boundary_request.hpp"
 #include "io/case_draft.hpp"
 
 namespace zenosphere {
@@ -33,9 +34,16 @@ struct Sweep {
   std::int64_t seeds = 0;         ///< runs at each point of the grid
   std::int64_t master_seed = 1;
   StopRule stop{};
+  std::optional<BoundaryRequest> boundary{};  ///< a search: its axis is the last, seeds are 0
 
   std::int64_t points() const;
-  std::int64_t runs() const { return points() * seeds; }
+
+  /// Points that are searched at: those of all axes but the last.
+  std::int64_t searches() const { return points() / static_cast<std::int64_t>(axes.back().size()); }
+  /// Of a search: at most.
+  std::int64_t runs() const {
+    return boundary ? searches() * boundary->range.most_runs : points() * seeds;
+  }
 };
 
 /// The sweep that a file describes; docs/sweep-file.md lists the keys.

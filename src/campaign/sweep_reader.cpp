@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "campaign/axis_reader.hpp"
+#include "campaign/boundary_reader.hpp"
 #include "campaign/grid_check.hpp"
 #include "campaign/sweep.hpp"
 #include "campaign/sweep_fields.hpp"
@@ -18,7 +19,7 @@ using case_format::TreeNode;
 
 namespace {
 
-constexpr std::array<std::string_view, 4> tables{"sweep", "case", "axes", "stop"};
+constexpr std::array<std::string_view, 5> tables{"sweep", "case", "axes", "stop", "boundary"};
 
 /// The largest integer of TOML and SQLite.
 constexpr double most_integer = 0x1p63;
@@ -27,11 +28,13 @@ constexpr double most_integer = 0x1p63;
 struct Told {
   const TreeNode* inline_case = nullptr;
   const TreeNode* sweep = nullptr;
+  const TreeNode* boundary = nullptr;
   std::optional<std::string> case_file;
   std::int64_t seeds = 0;
   std::int64_t master_seed = 1;
   std::vector<SweepAxis> axes;
   StopRule stop;
+  std::optional<BoundaryRequest> search;
 };
 
 void read_sweep_table(const TreeNode& node, Told& told, Problems& problems) {
@@ -69,6 +72,8 @@ void read_node(const TreeNode& node, Told& told, Problems& problems) {
     told.axes = axes_of(node, problems);
   } else if (node.name == "stop") {
     read_stop_table(node, told, problems);
+  } else if (node.name == "boundary") {
+    told.boundary = &node;
   } else {
     told.inline_case = &node;
   }
@@ -84,12 +89,17 @@ void check_whole(const Told& told, const std::string& name, Problems& problems) 
   if (!told.case_file && !told.inline_case) {
     problems.add(absent, "missing the base case; add case = \"FILE.toml\" under [sweep]");
   }
-  if (told.seeds == 0) {
+  if (told.seeds > 0 && told.boundary) {
+    problems.add(told.boundary->key_place,
+                 "boundary (a search decides how many runs it needs); remove sweep.seeds");
+  }
+  if (told.seeds == 0 && !told.boundary) {
     problems.add(absent,
                  "missing key sweep.seeds (runs at each point of the grid); add seeds = 10 "
                  "under [sweep]");
   }
-  double runs = static_cast<double>(told.seeds);
+  double runs = told.search ? static_cast<double>(told.search->range.most_runs) / 2
+                            : static_cast<double>(told.seeds);  // an axis that is sought has 2 ends
   for (const SweepAxis& axis : told.axes) runs *= static_cast<double>(axis.size());
   if (runs > static_cast<double>(most_runs)) {
     problems.add(absent, fmt::format("{:.4g} runs (at most {}); give fewer values or seeds", runs,
@@ -138,6 +148,7 @@ Sweep parse_sweep(std::string text, const std::string& name) {
   Told told;
   const std::vector<TreeNode> tree = case_format::tree_of(text, name, "case");
   for (const TreeNode& node : tree) read_node(node, told, problems);
+  if (told.boundary) told.search = boundary_of(*told.boundary, told.axes, problems);
   check_whole(told, name, problems);
   problems.throw_if_any();
   CaseDraft base = base_of(told, text, name);
@@ -149,7 +160,8 @@ Sweep parse_sweep(std::string text, const std::string& name) {
               .axes = std::move(told.axes),
               .seeds = told.seeds,
               .master_seed = told.master_seed,
-              .stop = told.stop};
+              .stop = told.stop,
+              .boundary = told.search};
   check_grid(sweep);
   return sweep;
 }

@@ -11,11 +11,13 @@
 #include "campaign/estimate.hpp"
 #include "campaign/launch.hpp"
 #include "campaign/mpi_workers.hpp"
+#include "campaign/search.hpp"
 #include "campaign/thread_workers.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/search_text.hpp"
 #include "cli/sweep_text.hpp"
 #include "io/build_info.hpp"
 
@@ -83,9 +85,15 @@ int run_runs(const Arguments& arguments, const Sweep& sweep, const Crew& crew) {
     options.on_progress = [](const SweepProgress& progress) { show_line(sweep_line(progress)); };
   }
   const auto workers = crew.make(store.setting());
-  const SweepProgress progress = run_sweep(store, *workers, options);
+  SearchResult result;
+  if (sweep.boundary) {
+    result = run_search(store, sweep, *workers, options);
+  } else {
+    result.progress = run_sweep(store, *workers, options);
+  }
+  const SweepProgress& progress = result.progress;
   if (shows_line) clear_line();
-  if (!arguments.quiet) print(progress_text(progress, store.name()));
+  if (!arguments.quiet) print(progress_text(progress, store.name()) + found_text(sweep, result));
   if (arguments.json) print(progress_json(progress, store.name()) + '\n');
   return exit_code_of(progress);
 }

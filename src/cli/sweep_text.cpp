@@ -65,8 +65,15 @@ std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t wor
   for (const SweepAxis& axis : sweep.axes) {
     text += fmt::format("  {:<32}{}\n", axis.path(), values_text(axis));
   }
-  text += fmt::format("  {:<32}{}\n", "points", sweep.points());
-  text += fmt::format("  {:<32}{}\n", "seeds at each", sweep.seeds);
+  if (sweep.boundary) {
+    text += fmt::format("  {:<32}{} of {} = 1/2 to {}\n", "boundary", sweep.axes.back().path(),
+                        sweep.boundary->criterion_word(), sweep.boundary->range.resolution);
+    text += fmt::format("  {:<32}{}\n", "searches", sweep.searches());
+    text += fmt::format("  {:<32}{}\n", "runs in each, at most", sweep.boundary->range.most_runs);
+  } else {
+    text += fmt::format("  {:<32}{}\n", "points", sweep.points());
+    text += fmt::format("  {:<32}{}\n", "seeds at each", sweep.seeds);
+  }
   text += fmt::format("  {:<32}{} ({} done, {} failed)\n", "runs", plan.counts.all(),
                       plan.counts.done, plan.counts.failed);
   text += fmt::format("  {:<32}{} on {} {}, at {:.3g} s a run {}\n", "time, at most about",
