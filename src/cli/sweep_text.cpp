@@ -68,8 +68,8 @@ std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t wor
   if (sweep.boundary) {
     text += fmt::format("  {:<32}{} of {} = 1/2 to {}\n", "boundary", sweep.axes.back().path(),
                         sweep.boundary->criterion_word(), sweep.boundary->range.resolution);
-    text += fmt::format("  {:<32}{}\n", "searches", sweep.searches());
-    text += fmt::format("  {:<32}{}\n", "runs in each, at most", sweep.boundary->range.most_runs);
+    text += fmt::format("  {:<32}{}\n", "points", sweep.searches());
+    text += fmt::format("  {:<32}{}\n", "runs at each, at most", sweep.boundary->range.most_runs);
   } else {
     text += fmt::format("  {:<32}{}\n", "points", sweep.points());
     text += fmt::format("  {:<32}{}\n", "seeds at each", sweep.seeds);
