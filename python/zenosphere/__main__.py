@@ -97,7 +97,11 @@ def _parser():
     cooling.add_argument("-o", "--output", metavar="FIGURE.png", type=Path,
                          default=Path("cooling.png"), help="the figure (default: cooling.png)")
     cooling.set_defaults(command=_cooling)
+    _add_ensemble(commands)
+    return parser
 
+
+def _add_ensemble(commands):
     ensemble = commands.add_parser("ensemble", help="draw how likely collapse is, from the store of"
                                    " a sweep, and write the tables")
     ensemble.add_argument("file", metavar="STORE.sqlite", type=Path, help="a store, done or not")
@@ -108,7 +112,6 @@ def _parser():
     ensemble.add_argument("--y", metavar="KEY", help="axis of the panels and of the maps' rows"
                           " (default: system.solids_volume_fraction, or the next)")
     ensemble.set_defaults(command=_ensemble)
-    return parser
 
 
 def _failed(error, code):

@@ -124,7 +124,8 @@ class Ensemble:
         with closing(self._opened()) as store:
             yield from store.execute(
                 f"SELECT {keys}, COUNT(*), SUM(status = 'done'), SUM(status = 'failed'), {sums}"
-                f" FROM {SCALED} GROUP BY {keys}", {"limit": limit * (1 + 1e-12)})  # a product is rounded
+                f" FROM {SCALED} GROUP BY {keys}",
+                {"limit": limit * (1 + 1e-12)})  # what is compared has been rounded
 
 
 def quoted(key):

@@ -89,7 +89,8 @@ def _boundaries(part):
     found, span = crossings_of(part), _span(part)
     if not against or all(each.how in ("nothing", "unclear") for each in found["separation"].flat):
         return None
-    figure, grid = figure_grid(_heading(part), 2, len(against), (2.9, 2.2), sharex="col", sharey=True)
+    figure, grid = figure_grid(_heading(part), 2, len(against), (2.9, 2.2), sharex="col",
+                               sharey=True)
     for (row, column), axes in np.ndenumerate(grid):
         name = ("separation", "arrest")[row]
         other = "series" if against[column] == "y" else "y"
@@ -152,8 +153,8 @@ def _styles(part, name="series"):
 
 def figure_grid(heading, rows, columns, size, **sharing):
     """A figure with a heading, and its axes (rows, columns); size: of one of them, inches."""
-    figure = Figure(figsize=(max(columns * size[0] + 0.9, 4.2),
-                             max(rows * size[1] + 0.8, 2.6)), dpi=DOTS_PER_INCH, layout="constrained")
+    inches = max(columns * size[0] + 0.9, 4.2), max(rows * size[1] + 0.8, 2.6)
+    figure = Figure(figsize=inches, dpi=DOTS_PER_INCH, layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False, **sharing)
     figure.suptitle(heading, fontsize=9, x=0.01, ha="left")
     return figure, grid

@@ -50,23 +50,33 @@ const case_format::Place& place_of(const TreeNode& table, std::string_view name)
   return found == table.children.end() ? table.key_place : found->value_place;
 }
 
-/// What is missing or does not fit together, as in `needs from, to and resolution`.
-std::optional<std::string> objection(const Told& told) {
+/// What is wrong with the values together, and with which key; no key: with the table.
+struct Objection {
+  std::string_view key;
+  std::string text;
+};
+
+std::optional<Objection> objection(const Told& told) {
   if (!told.axis || !told.criterion || !told.from || !told.to || !told.resolution) {
-    return "boundary (needs axis, criterion, from, to and resolution); add what is missing";
+    return Objection{
+        "", "boundary (needs axis, criterion, from, to and resolution); add what is missing"};
   }
   if (*told.criterion != "separation" && *told.criterion != "arrest") {
-    return fmt::format("boundary.criterion = \"{}\" (must be \"separation\" or \"arrest\")",
-                       *told.criterion);
+    return Objection{"criterion",
+                     fmt::format("boundary.criterion = {} (must be \"separation\" or \"arrest\")",
+                                 case_format::shown(*told.criterion))};
   }
   if (!(*told.from < *told.to)) {
-    return fmt::format("boundary.to = {} (must be > from = {})", *told.to, *told.from);
+    return Objection{"to",
+                     fmt::format("boundary.to = {} (must be > from = {})", *told.to, *told.from)};
   }
   constexpr double finest = 1e-6;  // of the range: a grid of the posterior has limits
   const double length = *told.to - *told.from;
   if (*told.resolution > length || *told.resolution < finest * length) {
-    return fmt::format("boundary.resolution = {} (must be in [{:.3g}, {:.3g}], parts of the range)",
-                       *told.resolution, finest * length, length);
+    return Objection{
+        "resolution",
+        fmt::format("boundary.resolution = {} (must be in [{:.3g}, {:.3g}], parts of the range)",
+                    *told.resolution, finest * length, length)};
   }
   return std::nullopt;
 }
@@ -102,9 +112,7 @@ std::optional<BoundaryRequest> boundary_of(const TreeNode& table, std::vector<Sw
                                            Problems& problems) {
   const Told told = told_in(table, problems);
   if (const auto wrong = objection(told)) {
-    const std::size_t begin = std::min(wrong->find('.') + 1, wrong->size());
-    const std::string key = wrong->substr(begin, wrong->find(' ', begin) - begin);
-    problems.add(place_of(table, key), *wrong);
+    problems.add(place_of(table, wrong->key), wrong->text);
     return std::nullopt;
   }
   const Key* key = key_of(*told.axis, place_of(table, "axis"), axes, problems);
