@@ -13,6 +13,8 @@
 #include "io/derived.hpp"
 #include "io/info.hpp"
 #include "io/output_reader.hpp"
+#include "io/rehearsal.hpp"
+#include "io/run_file.hpp"
 #include "io/start_file.hpp"
 #include "io/summary.hpp"
 #include "model/errors.hpp"
@@ -134,6 +136,15 @@ void output_file(Bytes bytes) {
 void verified_file(Bytes bytes) {
   const MemoryFile file(bytes);
   attempt([&] { to_text(verify_file(file.path()), "out.h5"); });
+  const auto read_for_a_page = [&] {
+    const RunFile run(file.path());
+    run.anatomy();
+    run.adjudication();
+  };
+  attempt([&] {
+    rehearse(file.path(), static_cast<std::int64_t>(bytes.size()), read_for_a_page);
+    read_for_a_page();
+  });
 }
 
 }  // namespace zenosphere::fuzz

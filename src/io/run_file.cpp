@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "io/anatomy_group.hpp"
 #include "io/hdf5_series.hpp"
 #include "model/errors.hpp"
 
@@ -97,6 +98,20 @@ std::vector<CollisionRow> RunFile::rows(std::int64_t first, std::int64_t count) 
       rows.push_back({k[n], time[n], i[n], j[n], gap[n], speed[n], flags[n]});
     }
     return rows;
+  });
+}
+
+Anatomy RunFile::anatomy() const {
+  return reading(path_, [&] {
+    return read_anatomy(hdf5::opened(file_, "zenosphere"), info_.dimension, info_.spheres);
+  });
+}
+
+std::optional<std::string> RunFile::adjudication() const {
+  return reading(path_, [&]() -> std::optional<std::string> {
+    const hdf5::Handle own = hdf5::opened(file_, "zenosphere");
+    if (!hdf5::contains(own, "adjudication")) return std::nullopt;
+    return hdf5::text(own, "adjudication");
   });
 }
 

@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "collapse/dissection.hpp"
 #include "io/hdf5.hpp"
 #include "io/output_reader.hpp"
 #include "io/records.hpp"
@@ -24,6 +27,12 @@ class RunFile {
 
   /// Rows `first` to `first + count - 1` of the log, from 0, likewise.
   std::vector<CollisionRow> rows(std::int64_t first, std::int64_t count) const;
+
+  /// What was found at the first hit and at the arrest, as far as it is in the file; likewise.
+  Anatomy anatomy() const;
+
+  /// The JSON object that `zenosphere adjudicate` left in the file; likewise.
+  std::optional<std::string> adjudication() const;
 
  private:
   std::filesystem::path path_;

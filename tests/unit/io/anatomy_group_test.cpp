@@ -64,5 +64,34 @@ TEST(AnatomyGroup, IsAbsentWhereNothingCollapsed) {
   EXPECT_FALSE(hdf5::contains(file, "anatomy"));
 }
 
+TEST(AnatomyGroup, IsReadAsItWasWritten) {
+  const TemporaryFolder folder;
+  const hdf5::Handle file = hdf5::created_file(folder.path / "a.h5");
+  const Dissection written = dissection_of_two_clusters();
+  write_anatomy(file, {written, std::nullopt}, 2);
+  const Anatomy read = read_anatomy(file, 2, 10);
+  EXPECT_FALSE(read.arrest);
+  ASSERT_TRUE(read.hit);
+  EXPECT_EQ(read.hit->collision, 7);
+  EXPECT_EQ(read.hit->pairs, written.pairs);
+  ASSERT_EQ(read.hit->clusters.size(), 2U);
+  EXPECT_EQ(read.hit->clusters[0].positions, written.clusters[0].positions);
+  EXPECT_EQ(read.hit->clusters[0].chain, written.clusters[0].chain);
+  EXPECT_EQ(read.hit->clusters[1].spheres, written.clusters[1].spheres);
+  EXPECT_EQ(read.hit->clusters[1].contacts.front().collisions, 6);
+  EXPECT_EQ(read.hit->collisions.k, written.collisions.k);
+  EXPECT_TRUE(std::isnan(read.hit->collisions.gap[0]));
+  EXPECT_FALSE(read.hit->decay.gap);
+  EXPECT_EQ(read.hit->decay.speed->ratio, 0.4);
+}
+
+TEST(AnatomyGroup, SphereThatIsNotThereMakesADamagedFile) {
+  const TemporaryFolder folder;
+  const hdf5::Handle file = hdf5::created_file(folder.path / "a.h5");
+  write_anatomy(file, {dissection_of_two_clusters(), std::nullopt}, 2);
+  EXPECT_THROW(read_anatomy(file, 2, 8), hdf5::Error);   // it names sphere 8, counted from 0
+  EXPECT_THROW(read_anatomy(file, 3, 10), hdf5::Error);  // positions are in two dimensions
+}
+
 }  // namespace
 }  // namespace zenosphere
