@@ -23,6 +23,7 @@ void add_sweep(CLI::App& app, int& status);
 /// The commands below `sweep` that look at a sweep without running it.
 void add_sweep_looks(CLI::App& sweep, int& status);
 void add_export(CLI::App& app, int& status);
+void add_report(CLI::App& app, int& status);
 
 /// Adds `--set KEY=VALUE`, which may be given any number of times.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides);

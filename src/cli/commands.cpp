@@ -34,6 +34,7 @@ int run_command_line(int argc, char** argv) {
   add_verify(app, status);
   add_sweep(app, status);
   add_export(app, status);
+  add_report(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -83,9 +83,9 @@ class Program:
         """The same, and the path of its output file."""
         return self.run(changes, "-o", name, **options), self.folder / name
 
-    def fail(self, *words, code=2):
+    def fail(self, *words, code=2, **options):
         """The lines of standard error of a command that fails without printing anything else."""
-        done = self(*words, code=code)
+        done = self(*words, code=code, **options)
         assert done.stdout == ""
         return done.stderr.splitlines()
 

@@ -15,7 +15,7 @@ def commands_in(help_text):
 def test_help_lists_the_commands_that_exist_and_no_other(program):
     done = program("--help")
     assert set(commands_in(done.stdout)) == {
-        "run", "resume", "check", "info", "adjudicate", "verify", "sweep", "export"}
+        "run", "resume", "check", "info", "adjudicate", "verify", "sweep", "export", "report"}
     assert done.stderr == ""
 
 

@@ -1,0 +1,220 @@
+// The plots over the collision axis: the paper's, and which pair collides.
+import { pairsPlot } from "./pairs_plot.js";
+import { Plot } from "./plot.js";
+import { INK } from "./colours.js";
+import { count, DASH, grouped, pairName, short } from "./format.js";
+
+const FLAGS = [
+  [2, "overlapping"],
+  [4, "absorbed"],
+  [8, "receding"],
+  [16, "clock stood"],
+  [32, "made elastic"],
+];
+
+/** Entries of a view as text: "collision 12" or "collisions 12–40". */
+function place(view, n) {
+  const first = view.k[n],
+    last = first + view.count[n] - 1;
+  return last > first
+    ? `collisions ${grouped(first)}${DASH}${grouped(last)}`
+    : `collision ${grouped(first)}`;
+}
+
+const extremes = (low, high, digits = 3) =>
+  low === high || Number.isNaN(low)
+    ? short(low, digits)
+    : `${short(low, digits)} to ${short(high, digits)}`;
+
+function details(view, n, spheres) {
+  const flags = FLAGS.filter(([bit]) => view.flags[n] & bit).map(([, word]) => word);
+  const { stretch } = view;
+  const row = view.begin + n;
+  if (stretch.i && view.group === 1)
+    flags.unshift(pairName([stretch.i[row], stretch.j[row]], spheres));
+  if (view.hits[n]) flags.push(view.count[n] > 1 ? count(view.hits[n], "hit") : "hit");
+  return flags.length ? ` \u00b7 ${flags.join(", ")}` : "";
+}
+
+/** Smallest and largest of what is finite and above zero; [1e-16, 1e-12] where nothing is. */
+function positiveRange(...columns) {
+  let [low, high] = [Infinity, 0];
+  for (const column of columns) {
+    for (const value of column) {
+      if (value > 0 && value < low) low = value;
+      if (value > high && value < Infinity) high = value;
+    }
+  }
+  return high > 0 ? [low, high] : [1e-16, 1e-12];
+}
+
+/** At most one view of the log for each selection and number of entries, shared by the plots. */
+function sharedView(log) {
+  let key = "",
+    view = null;
+  return (first, last, entries) => {
+    const wanted = `${first} ${last} ${entries}`;
+    if (wanted !== key) [key, view] = [wanted, log.view(first, last, entries)];
+    return view;
+  };
+}
+
+const floored = (values, floor) => values.map((value) => (value < floor ? floor : value));
+
+/** Plots of a quantity that a view of the log has. */
+class LogQuantity {
+  constructor(about, take, run) {
+    Object.assign(this, about, { takeView: take, run });
+  }
+
+  take(first, last, entries) {
+    this.view = this.takeView(first, last, entries);
+    if (!this.view) return { x: [first, last], low: [NaN, NaN], high: [NaN, NaN] };
+    return { x: this.view.k, ...this.columns(this.view) };
+  }
+
+  read(n) {
+    if (!this.view || n >= this.view.size) return "";
+    return `${place(this.view, n)}: ${this.text(this.view, n)}${details(this.view, n, this.run.spheres)}`;
+  }
+}
+
+function gapPlot(run, take) {
+  const threshold = run.values.gap_threshold,
+    floor = threshold > 0 ? threshold / 10 : 1e-17;
+  return new LogQuantity(
+    {
+      id: "gap",
+      title: "Gap of the next pair (diameters)",
+      isLog: true,
+      hasMarkNames: true,
+      height: 210,
+      columns: (view) => ({ low: floored(view.gapLow, floor), high: floored(view.gapHigh, floor) }),
+      text: (view, n) =>
+        view.gapLow[n] <= floor && view.gapHigh[n] === view.gapLow[n]
+          ? `gap ${view.gapLow[n]}`
+          : `gap ${extremes(view.gapLow[n], view.gapHigh[n])}`,
+      range: ({ high }) => [floor / 6, Math.max(positiveRange(high)[1] * 30, threshold * 1e4)],
+      paint(plot, ctx) {
+        plot.paintBars(ctx);
+        const hit = [...plot.data.x.keys()].filter((n) => this.view && this.view.hits[n] > 0);
+        plot.paintTicks(ctx, hit, floor / 1.6);
+        if (threshold > 0) plot.paintLevel(ctx, threshold, `threshold ${short(threshold)}`);
+      },
+    },
+    take,
+    run,
+  );
+}
+
+function timePlot(run, take) {
+  const sheared = run.values.drive === "shear",
+    scale = sheared ? run.values.shear_rate : 1;
+  return new LogQuantity(
+    {
+      id: "time",
+      title: sheared ? "Time (strain)" : "Time",
+      isLog: false,
+      columns: (view) => {
+        const time = view.time.map((value) => value * scale);
+        return { low: time, high: time };
+      },
+      text: (view, n) => `${sheared ? "strain" : "time"} ${view.time[n] * scale}`,
+      range: ({ high }) => {
+        const low = high.reduce((a, b) => Math.min(a, b), Infinity);
+        const top = high.reduce((a, b) => Math.max(a, b), -Infinity);
+        const margin = Math.max((top - low) * 0.06, Math.abs(top) * 1e-9, 1e-12);
+        return Number.isFinite(low) ? [low - margin, top + margin] : [0, 1];
+      },
+      paint: (plot, ctx) => plot.paintLine(ctx),
+    },
+    take,
+    run,
+  );
+}
+
+function flightPlot(run, take) {
+  let floor = 1e-17;
+  return new LogQuantity(
+    {
+      id: "flight",
+      title: "Time per collision",
+      isLog: true,
+      columns: (view) => {
+        const mean = view.span.map((span, n) => span / view.count[n]);
+        floor = positiveRange(mean)[0] / 10;
+        const drawn = floored(mean, floor);
+        return { low: drawn, high: drawn };
+      },
+      text: (view, n) => {
+        const mean = view.span[n] / view.count[n];
+        return mean === 0 ? "the clock does not move" : short(mean, 4);
+      },
+      range: ({ high }) => [floor / 3, positiveRange(high)[1] * 3],
+      paint(plot, ctx) {
+        plot.paintBars(ctx);
+        const { x, high } = plot.data;
+        plot.paintTicks(
+          ctx,
+          [...x.keys()].filter((n) => high[n] <= floor),
+          floor,
+        );
+      },
+    },
+    take,
+    run,
+  );
+}
+
+function speedPlot(run, take) {
+  let floor = 1e-30;
+  return new LogQuantity(
+    {
+      id: "speed",
+      title: "Normal speed (diameters/time)",
+      isLog: true,
+      columns: (view) => {
+        floor = positiveRange(view.speedLow, view.speedHigh)[0] / 2;
+        return { low: floored(view.speedLow, floor), high: floored(view.speedHigh, floor) };
+      },
+      text: (view, n) => extremes(view.speedLow[n], view.speedHigh[n]),
+      range: ({ high }) => [floor, positiveRange(high)[1] * 2],
+    },
+    take,
+    run,
+  );
+}
+
+function temperaturePlot(run) {
+  const { step, time, granular_temperature: temperature } = run.snapshots;
+  return {
+    id: "temperature",
+    title: "Granular temperature of the snapshots (diameter\u00b2/time\u00b2)",
+    isLog: true,
+    take: () => ({ x: step, low: temperature, high: temperature }),
+    range({ high }) {
+      const [low, top] = positiveRange(high);
+      return [low / 1.6, top * 1.6];
+    },
+    read: (n) =>
+      `snapshot ${n + 1}, collision ${grouped(step[n])}, time ${short(time[n], 6)}: ` +
+      short(temperature[n], 5),
+    paint(plot, ctx) {
+      plot.paintLine(ctx, "#9aa5b1");
+      const half = 3 * devicePixelRatio;
+      ctx.fillStyle = INK;
+      step.forEach((k, n) => {
+        ctx.beginPath();
+        ctx.arc(plot.x(k), plot.y(temperature[n]), half, 0, 7);
+        ctx.fill();
+      });
+    },
+  };
+}
+
+/** All plots, not drawn yet. */
+export function collisionPlots(run, log, selection, marks, snapshotStep) {
+  const take = sharedView(log);
+  const definitions = [gapPlot, timePlot, flightPlot, speedPlot, temperaturePlot, pairsPlot];
+  return definitions.map((make) => new Plot(make(run, take), selection, marks, snapshotStep));
+}

@@ -1,0 +1,53 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/command.hpp"
+#include "cli/commands.hpp"
+#include "model/errors.hpp"
+#include "report/run_page.hpp"
+#include "report/sweep_page.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// What the user typed.
+struct Arguments {
+  std::string file;
+  std::string page;
+  bool overwrite = false;
+};
+
+int report(const Arguments& arguments) {
+  if (arguments.page.empty()) {
+    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
+  }
+  std::error_code ignored;  // what does not exist is not the run
+  if (std::filesystem::equivalent(arguments.page, arguments.file, ignored)) {
+    throw OutputError(arguments.page + ": is what it is to show; choose another name");
+  }
+  const auto existing = arguments.overwrite ? ExistingPage::replace : ExistingPage::refuse;
+  const bool is_sweep = is_sweep_store(arguments.file);
+  (is_sweep ? write_sweep_page : write_run_page)(arguments.file, arguments.page, existing);
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand(
+      "report", "make one HTML page that shows a run, or the phase diagrams of a sweep");
+  command.add_option("file", arguments->file, "output file of a run, or store of a sweep")
+      ->required()
+      ->type_name("OUT.h5|STORE.sqlite");
+  command.add_option("-o,--output", arguments->page, "the page")
+      ->required()
+      ->type_name("PAGE.html");
+  command.add_flag("--overwrite", arguments->overwrite, "replace an existing page");
+  command.callback([arguments, &status] { status = report(*arguments); });
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,132 @@
+#include "report/run_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "io/info.hpp"
+
+namespace zenosphere {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json json_of(const std::optional<DecayRate>& rate) {
+  if (!rate) return {};
+  return {{"ratio", rate->ratio}, {"spread", rate->spread}};
+}
+
+Json json_of(const Decay& decay) {
+  Json json{{"cycle", decay.cycle},
+            {"resolution", decay.resolution},
+            {"gap", json_of(decay.gap)},
+            {"speed", json_of(decay.speed)},
+            {"flight", json_of(decay.flight)},
+            {"exact", nullptr},
+            {"collapse_time", or_null(decay.collapse_time)},
+            {"collapse_time_error", decay.collapse_time_error}};
+  if (decay.exact) {
+    json["exact"] = {
+        {"gap", decay.exact->gap}, {"speed", decay.exact->speed}, {"flight", decay.exact->flight}};
+  }
+  return json;
+}
+
+Json json_of(const Cluster& cluster) {
+  Json contacts = Json::array();
+  for (const auto& contact : cluster.contacts) {
+    contacts.push_back({contact.i, contact.j, contact.collisions});
+  }
+  return {{"spheres", cluster.spheres}, {"positions", cluster.positions},
+          {"contacts", contacts},       {"chain", cluster.chain},
+          {"bends", cluster.bends},     {"straightness", cluster.straightness}};
+}
+
+Json json_of(const ClusterCollisions& rows) {
+  return {{"k", rows.k},          {"time", rows.time}, {"i", rows.i},
+          {"j", rows.j},          {"gap", rows.gap},   {"normal_speed", rows.normal_speed},
+          {"flight", rows.flight}};
+}
+
+Json json_of(const std::optional<Dissection>& dissection) {
+  if (!dissection) return {};
+  Json clusters = Json::array();
+  for (const auto& cluster : dissection->clusters) clusters.push_back(json_of(cluster));
+  return {{"collision", dissection->collision},
+          {"time", dissection->time},
+          {"pairs", dissection->pairs},
+          {"clusters", clusters},
+          {"collisions", json_of(dissection->collisions)},
+          {"decay", json_of(dissection->decay)}};
+}
+
+/// What the page needs to know of the case, in numbers and words.
+Json json_of(const Case& values) {
+  static constexpr const char* drives[] = {"none", "shear", "random"};
+  static constexpr const char* axes[] = {"x", "y", "z"};
+  const auto& walls = values.walls.axis;
+  const bool is_constant = values.collision.restitution_law == RestitutionLaw::constant;
+  return {{"restitution", is_constant ? Json(values.system.restitution) : Json()},
+          {"solids_volume_fraction", values.system.solids_volume_fraction},
+          {"drive", drives[static_cast<int>(values.drive.kind)]},
+          {"shear_rate", values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0.0},
+          {"walls", walls ? Json(axes[static_cast<int>(*walls)]) : Json()},
+          {"gap_threshold", values.collapse.gap_threshold},
+          {"window", values.collapse.window},
+          {"seed", values.start.seed}};
+}
+
+/// Text of a file that should be JSON, or null where it is not.
+Json parsed(const std::optional<std::string>& text) {
+  if (!text) return {};
+  Json json = Json::parse(*text, nullptr, false);
+  return json.is_discarded() ? Json() : json;
+}
+
+Json json_of(const Frames& frames) {
+  return {{"step", frames.step},
+          {"time", frames.time},
+          {"granular_temperature", frames.granular_temperature},
+          {"shown", frames.shown},
+          {"box_edges", frames.box_edges}};
+}
+
+Json json_of(const std::vector<StretchName>& stretches) {
+  Json json = Json::array();
+  for (const auto& stretch : stretches) {
+    json.push_back({{"name", stretch.name},
+                    {"width", stretch.width},
+                    {"bins", stretch.bins},
+                    {"last", stretch.last}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string run_json(const std::string& name, const RunFile& file, const Case& values,
+                     const Frames& frames, const std::vector<StretchName>& stretches) {
+  const OutputInfo& info = file.info();
+  const Anatomy anatomy = file.anatomy();
+  const Json json{{"kind", "run"},
+                  {"name", name},
+                  {"dimension", info.dimension},
+                  {"spheres", info.spheres},
+                  {"case_text", info.case_text},
+                  {"resolved_case", info.resolved_case},
+                  {"compiler", info.compiler},
+                  {"compiler_flags", info.compiler_flags},
+                  {"log_complete", info.log_complete},
+                  {"values", json_of(values)},
+                  {"summary", Json::parse(to_json(info))},
+                  {"anatomy", {{"hit", json_of(anatomy.hit)}, {"arrest", json_of(anatomy.arrest)}}},
+                  {"adjudication", parsed(file.adjudication())},
+                  {"snapshots", json_of(frames)},
+                  {"log", json_of(stretches)}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace zenosphere

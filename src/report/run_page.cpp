@@ -1,0 +1,159 @@
+#include "report/run_page.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/case_file.hpp"
+#include "io/rehearsal.hpp"
+#include "io/run_file.hpp"
+#include "io/summary.hpp"
+#include "report/frames.hpp"
+#include "report/log_digest.hpp"
+#include "report/run_json.hpp"
+
+namespace zenosphere {
+namespace {
+
+constexpr std::int64_t rows_at_once = 65536;
+constexpr std::int64_t most_frame_bytes = 8'000'000;
+constexpr std::int64_t most_spheres = 1'000'000;  // two snapshots of so many take 40 MB
+
+/// Collisions worth a closer look where the log is too long to be kept.
+std::vector<std::int64_t> remarkable_collisions(const OutputInfo& info) {
+  std::vector<std::int64_t> collisions;
+  if (info.logged_collisions <= LogDigest::most_rows) return collisions;
+  std::string text = info.summary.value_or("");
+  if (text.empty() && info.checkpoint) text = info.checkpoint->summary;
+  if (text.empty()) return collisions;
+  const Summary summary = summary_from_json(text, info.dimension);
+  const auto& hits = summary.separation;
+  for (const auto& k : {hits.first_collision, summary.arrest.collision, hits.last_collision}) {
+    if (k) collisions.push_back(*k);
+  }
+  return collisions;
+}
+
+/// What a page shows of one file, read in one pass.
+class RunDigest {
+ public:
+  explicit RunDigest(const RunFile& file, const Case& values)
+      : file_(file),
+        log_(file.info().logged_collisions),
+        frames_(file.info().spheres, file.info().dimension,
+                values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0.0,
+                shown_snapshots(file.info())) {
+    for (const auto k : remarkable_collisions(file.info())) close_ups_.emplace_back(k);
+  }
+
+  void read() {
+    const std::int64_t all = file_.info().logged_collisions;
+    for (std::int64_t first = 0; first < all; first += rows_at_once) {
+      for (const auto& row : file_.rows(first, std::min(rows_at_once, all - first))) {
+        while (!are_all_read() && next_step() < row.k) read_snapshot();
+        observe(row);
+      }
+    }
+    while (!are_all_read()) read_snapshot();
+  }
+
+  Frames frames() && { return std::move(frames_).result(file_.info().log_complete); }
+
+  std::vector<const LogStretch*> stretches() const {
+    std::vector<const LogStretch*> found{&log_.stretch()};
+    for (const auto& close_up : close_ups_) found.push_back(&close_up.stretch());
+    return found;
+  }
+
+ private:
+  static std::vector<std::int64_t> shown_snapshots(const OutputInfo& info) {
+    if (info.spheres > most_spheres) return {};
+    constexpr std::int64_t bytes = 3 * sizeof(float) + sizeof(float) + sizeof(std::int32_t);
+    return spread_snapshots(info.snapshots, most_frame_bytes / (info.spheres * bytes));
+  }
+
+  bool are_all_read() const { return read_ == file_.info().snapshots; }
+
+  std::int64_t next_step() {
+    if (!next_) next_ = file_.snapshot(read_);
+    return next_->step;
+  }
+
+  void read_snapshot() {
+    next_step();
+    frames_.observe(*next_);
+    next_.reset();
+    ++read_;
+  }
+
+  void observe(const CollisionRow& row) {
+    log_.observe(row);
+    for (auto& close_up : close_ups_) close_up.observe(row);
+    frames_.observe(row);
+  }
+
+  const RunFile& file_;
+  LogDigest log_;
+  std::vector<CloseUp> close_ups_;
+  FrameCollector frames_;
+  std::optional<Snapshot> next_;
+  std::int64_t read_ = 0;
+};
+
+Case case_of(const std::filesystem::path& path, const OutputInfo& info) {
+  return parse_case(info.resolved_case, path.string() + ", its case", {});
+}
+
+/// Whatever a page needs, once: for the rehearsal.
+void read_everything(const std::filesystem::path& path) {
+  const RunFile file(path);
+  file.anatomy();
+  file.adjudication();
+  RunDigest(file, case_of(path, file.info())).read();
+}
+
+void add_stretch(PageWriter& page, const std::string& name, const LogStretch& stretch) {
+  page.add_column(name + ".k", stretch.k);
+  page.add_column(name + ".time", stretch.time);
+  page.add_column(name + ".gap_low", stretch.gap_low);
+  page.add_column(name + ".speed_low", stretch.speed_low);
+  page.add_column(name + ".flags", stretch.flags);
+  if (stretch.width == 1) {
+    page.add_column(name + ".i", stretch.i);
+    page.add_column(name + ".j", stretch.j);
+  } else {
+    page.add_column(name + ".gap_high", stretch.gap_high);
+    page.add_column(name + ".speed_high", stretch.speed_high);
+    page.add_column(name + ".hits", stretch.hits);
+  }
+}
+
+}  // namespace
+
+void write_run_page(const std::filesystem::path& output, const std::filesystem::path& page,
+                    ExistingPage existing) {
+  std::error_code ignored;
+  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(output, ignored));
+  rehearse(output, std::max<std::int64_t>(bytes, 0), [&] { read_everything(output); });
+  const RunFile file(output);
+  const Case values = case_of(output, file.info());
+  PageWriter writer(page, existing);
+  RunDigest digest(file, values);
+  digest.read();
+  std::vector<StretchName> names;
+  for (const auto* stretch : digest.stretches()) {
+    if (stretch->bins() == 0) continue;
+    names.push_back(
+        {"log" + std::to_string(names.size()), stretch->width, stretch->bins(), stretch->last});
+    add_stretch(writer, names.back().name, *stretch);
+  }
+  const Frames frames = std::move(digest).frames();
+  writer.add_column("frames.positions", frames.positions);
+  writer.add_column("frames.speeds", frames.speeds);
+  writer.add_column("frames.collisions", frames.collisions);
+  writer.add_json("run", run_json(output.filename().string(), file, values, frames, names));
+  writer.finish();
+}
+
+}  // namespace zenosphere

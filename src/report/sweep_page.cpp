@@ -1,0 +1,167 @@
+#include "report/sweep_page.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/run_case.hpp"
+#include "campaign/store.hpp"
+#include "io/case_file.hpp"
+
+namespace zenosphere {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Columns of the table `run` that the page shows.
+constexpr std::array<std::string_view, 17> columns{"run",
+                                                   "point",
+                                                   "replica",
+                                                   "status",
+                                                   "error",
+                                                   "outcome",
+                                                   "verdict",
+                                                   "collisions",
+                                                   "time",
+                                                   "strain",
+                                                   "arrest_met",
+                                                   "separation_hits",
+                                                   "separation_first_collision",
+                                                   "arrest_collision",
+                                                   "arrest_pairs",
+                                                   "granular_temperature",
+                                                   "collision_rate"};
+
+Json json_of(const Cell& cell) {
+  if (const auto* integer = std::get_if<std::int64_t>(&cell)) return *integer;
+  if (const auto* real = std::get_if<double>(&cell)) return *real;
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  return {};
+}
+
+/// The rows of the store, column by column. Seeds are text: they have more digits than a number of
+/// JavaScript.
+Json runs_of(Database& store) {
+  std::string list;
+  Json json = Json::object();
+  for (const auto& name : columns) {
+    list += fmt::format("{}, ", name);
+    json[std::string(name)] = Json::array();
+  }
+  json["seed"] = Json::array();
+  Statement query = store.statement("SELECT " + list + "seed FROM run ORDER BY run");
+  while (query.step()) {
+    for (std::size_t n = 0; n < columns.size(); ++n) {
+      json[std::string(columns[n])].push_back(json_of(query.cell(static_cast<int>(n))));
+    }
+    json["seed"].push_back(cell_text(query.cell(static_cast<int>(columns.size()))));
+  }
+  return json;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    lines.push_back(text.substr(begin, end - begin));
+  }
+  lines.push_back(text.substr(begin));
+  return lines;
+}
+
+/// The lines of a case file that differ from those of the first: {"4": "restitution = 0.3"}; all of
+/// it as an array where it has more or fewer of them.
+Json difference(const std::vector<std::string>& first, const std::vector<std::string>& lines) {
+  if (lines.size() != first.size()) return lines;
+  Json changed = Json::object();
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    if (lines[n] != first[n]) changed[std::to_string(n)] = lines[n];
+  }
+  return changed;
+}
+
+/// The resolved case of one run of each point: the first one whole, the others as what differs.
+Json cases_of(Database& store, const StoredSweep& sweep) {
+  StoredRuns runs(store, sweep);
+  Statement query =
+      store.statement("SELECT point, min(run) FROM run GROUP BY point ORDER BY point");
+  Json json{{"first", Json::array()}, {"points", Json::object()}};
+  std::vector<std::string> first;
+  while (query.step()) {
+    const std::int64_t point = integer_in(query.cell(0), store.name());
+    const RunTask task = runs.run(integer_in(query.cell(1), store.name()));
+    const auto lines = lines_of(resolved_toml(case_of_run(sweep.base, sweep.stop, task.overrides)));
+    if (first.empty()) json["first"] = first = lines;
+    json["points"][std::to_string(point)] = difference(first, lines);
+  }
+  return json;
+}
+
+/// Where each point is on the axes: {"0": [0.1, "fcc"]}.
+Json places_of(Database& store, const StoredSweep& sweep) {
+  std::vector<const case_format::Key*> keys;
+  for (const StoredAxis& axis : sweep.axes) keys.push_back(axis.key);
+  Statement query = store.statement("SELECT point, min(run)" + axis_columns(keys) +
+                                    " FROM run GROUP BY point ORDER BY point");
+  Json json = Json::object();
+  while (query.step()) {
+    Json place = Json::array();
+    for (int n = 2; n < query.columns(); ++n) place.push_back(json_of(query.cell(n)));
+    json[std::to_string(integer_in(query.cell(0), store.name()))] = place;
+  }
+  return json;
+}
+
+Json axes_of(const StoredSweep& sweep) {
+  Json json = Json::array();
+  for (const StoredAxis& axis : sweep.axes) {
+    Json values = Json::array();
+    for (const std::string& value : axis.values) values.push_back(Json::parse(value));
+    json.push_back({{"key", axis.key->path()}, {"values", values}});
+  }
+  return json;
+}
+
+std::string sweep_json(const std::string& name, Database& store) {
+  const StoredSweep sweep = stored_sweep(store);
+  const Json json{{"kind", "sweep"},
+                  {"name", name},
+                  {"sweep_file", sweep.sweep_file},
+                  {"master_seed", std::to_string(sweep.master_seed)},
+                  {"seeds", sweep.seeds},
+                  {"program_version", sweep.program_version},
+                  {"git_hash", sweep.git_hash},
+                  {"axes", axes_of(sweep)},
+                  {"places", places_of(store, sweep)},
+                  {"cases", cases_of(store, sweep)},
+                  {"runs", runs_of(store)}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+bool is_sweep_store(const std::filesystem::path& path) {
+  constexpr std::string_view head("SQLite format 3\0", 16);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  std::array<char, head.size()> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()) == head;
+}
+
+void write_sweep_page(const std::filesystem::path& store, const std::filesystem::path& page,
+                      ExistingPage existing) {
+  Database database(store, Database::Access::read);
+  const std::string json = sweep_json(store.filename().string(), database);
+  PageWriter writer(page, existing);
+  writer.add_json("sweep", json);
+  writer.finish();
+}
+
+}  // namespace zenosphere

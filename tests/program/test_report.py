@@ -1,0 +1,200 @@
+"""`zenosphere report`: what is in the page, and what it refuses. The page at work: page/test."""
+
+import base64
+import json
+import os
+import re
+import resource
+import signal
+import sqlite3
+
+import h5py
+import numpy as np
+import pytest
+
+from conftest import Program
+
+pytestmark = pytest.mark.skipif(os.environ.get("ZENOSPHERE_HAS_PAGE") == "OFF",
+                                reason="built without npm, and so without the page")
+BLOCK = re.compile(r'<script type="(?:application/json|text/plain)" id="([\w.]+)"'
+                   r'(?: data-type="(\w+)")?>([^<]*)</script>')
+
+
+def blocks(page):
+    """{name: JSON or array} of what the program put into a page."""
+    return {name: np.frombuffer(base64.b64decode(text), kind) if kind else json.loads(text)
+            for name, kind, text in BLOCK.findall(page.read_text()) if name != "licences"}
+
+
+def small_files():
+    """Lets no file grow over 300 kB, as if the disk were full."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000))
+
+
+@pytest.fixture(scope="module")
+def page(collapsed, tmp_path_factory):
+    """The file of a true collapse, and what is in its page."""
+    _, output = collapsed
+    made = tmp_path_factory.mktemp("page") / "page.html"
+    Program(made.parent)("report", str(output), "-o", str(made))
+    return output, blocks(made)
+
+
+def test_page_says_what_info_says(page, program):
+    output, found = page
+    summary = json.loads(program("info", str(output), "--json").stdout)
+    assert found["run"]["summary"] == summary
+    assert found["run"]["values"]["restitution"] == 0.2
+
+
+def test_every_row_of_a_short_log_is_in_the_page_bit_for_bit(page):
+    output, found = page
+    with h5py.File(output) as run:
+        for column, dataset in (("k", "k"), ("time", "time"), ("gap_low", "gap"), ("flags", "flags"),
+                                ("speed_low", "normal_speed"), ("i", "i"), ("j", "j")):
+            assert np.array_equal(found[f"log0.{column}"], run["collisions"][dataset][()],
+                                  equal_nan=column == "gap_low"), column
+
+
+def test_snapshots_are_in_the_page_as_they_are_in_the_file(page):
+    output, found = page
+    with h5py.File(output) as run:
+        spheres = run["particles/spheres"]
+        position = spheres["position/value"][()]
+        assert np.array_equal(found["frames.positions"], position.ravel().astype(np.float32))
+        edges = spheres["box/edges/value"][()]
+        assert np.array_equal(found["run"]["snapshots"]["box_edges"], edges.ravel())
+        flow = position[..., 1] - edges[:, None, 1, 1] / 2  # shear rate 1
+        velocity = spheres["velocity/value"][()]
+        velocity[..., 0] -= flow
+        temperature = (velocity**2).mean(axis=(1, 2))
+    # Two orders of one sum of 324 squares.
+    assert found["run"]["snapshots"]["granular_temperature"] == pytest.approx(temperature, rel=1e-13)
+    counted = found["frames.collisions"].reshape(len(position), -1).sum(axis=1)
+    assert list(counted) == [2 * step for step in found["run"]["snapshots"]["step"]]
+
+
+def test_extremes_of_a_long_log_survive_the_binning(program):
+    program.keep({"run.collisions": 70000})
+    program("report", "out.h5", "-o", "page.html")
+    found = blocks(program.folder / "page.html")
+    with h5py.File(program.folder / "out.h5") as run:
+        log = {name: values[()] for name, values in run["collisions"].items()}
+    assert found["run"]["log"][0] == {"name": "log0", "width": 3, "bins": 23334, "last": 70000}
+    assert found["log0.speed_low"].min() == log["normal_speed"].min()
+    assert found["log0.speed_high"].max() == log["normal_speed"].max()
+    assert np.nanmin(found["log0.gap_low"]) == np.nanmin(log["gap"])
+    assert found["log0.hits"].sum() == (log["flags"] & 1).sum()
+
+
+def test_page_of_an_unfinished_run_shows_its_last_checkpoint(program):
+    process = program.start({"output.checkpoint_collisions": 20000, "output.collision_log": '"all"'})
+    process.kill()
+    process.wait()
+    program("report", "out.h5", "-o", "page.html")
+    found = blocks(program.folder / "page.html")
+    assert found["run"]["summary"]["file"]["complete"] is False
+
+
+def test_nothing_from_the_file_can_end_its_script(program):
+    program.case.write_text("# </script><!-- <script> \N{LINE SEPARATOR}\n" + program.case.read_text())
+    program.keep()
+    program("report", "out.h5", "-o", "page.html")
+    found = blocks(program.folder / "page.html")
+    assert found["run"]["case_text"].startswith("# </script><!-- <script> ")
+    text = (program.folder / "page.html").read_text()
+    assert text.count("</script><!--") == 0
+
+
+SWEEP = """\
+[sweep]
+case = "case.toml"
+seeds = 2
+master_seed = 3
+
+[axes]
+"system.restitution" = [0.2, 0.9]
+"collision.overlap" = ["rewind", "guarded"]
+"""
+
+
+def test_page_of_a_sweep_holds_its_rows_and_the_case_of_every_point(program):
+    (program.folder / "s.toml").write_text(SWEEP)
+    program("sweep", "s.toml", "--quiet")
+    before = (program.folder / "s.sqlite").read_bytes()
+    program("report", "s.sqlite", "-o", "page.html")
+    assert (program.folder / "s.sqlite").read_bytes() == before
+    sweep = blocks(program.folder / "page.html")["sweep"]
+    with sqlite3.connect(program.folder / "s.sqlite") as store:
+        for column in ("run", "point", "status", "verdict", "separation_hits", "arrest_met", "time"):
+            stored = [value for value, in store.execute(f"SELECT {column} FROM run ORDER BY run")]
+            assert sweep["runs"][column] == stored
+        seeds = [str(seed) for seed, in store.execute("SELECT seed FROM run ORDER BY run")]
+    store.close()
+    assert sweep["runs"]["seed"] == seeds
+    assert sweep["places"] == {"0": [0.2, "rewind"], "1": [0.2, "guarded"], "2": [0.9, "rewind"],
+                               "3": [0.9, "guarded"]}
+    changed = sweep["cases"]["points"]["3"]
+    lines = [changed.get(str(n), line) for n, line in enumerate(sweep["cases"]["first"])]
+    assert program("sweep", "show", "s.sqlite", "--run", "3").stdout.endswith("\n".join(lines))
+
+
+def test_database_that_is_no_sweep_is_refused(program):
+    with sqlite3.connect(program.folder / "other.sqlite") as store:
+        store.execute("CREATE TABLE run (x)")
+    store.close()
+    [line] = program.fail("report", "other.sqlite", "-o", "page.html", code=4)
+    assert line.startswith("other.sqlite: is a database of another program")
+    assert not (program.folder / "page.html").exists()
+
+
+def test_page_is_not_overwritten_unless_asked(program):
+    program.keep()
+    (program.folder / "page.html").write_text("mine")
+    [line] = program.fail("report", "out.h5", "-o", "page.html", code=4)
+    assert line == "page.html: exists already; choose another name or pass --overwrite"
+    assert (program.folder / "page.html").read_text() == "mine"
+    program("report", "out.h5", "-o", "page.html", "--overwrite")
+    assert (program.folder / "page.html").stat().st_size > 100_000
+
+
+def test_run_is_never_overwritten_by_its_page(program):
+    program.keep()
+    before = (program.folder / "out.h5").read_bytes()
+    [line] = program.fail("report", "out.h5", "-o", "out.h5", "--overwrite", code=4)
+    assert line == "out.h5: is what it is to show; choose another name"
+    assert (program.folder / "out.h5").read_bytes() == before
+
+
+@pytest.mark.parametrize("target, reason", [
+    ("missing/page.html", "there is no folder missing"), (".", "is not a regular file"),
+    ("/dev/full", "is not a regular file")])
+def test_page_that_cannot_be_written_is_an_error_of_the_output(program, target, reason):
+    program.keep()
+    [line] = program.fail("report", "out.h5", "-o", target, code=4)
+    assert reason in line
+
+
+def test_failed_page_leaves_nothing(program):
+    program.keep()
+    [line] = program.fail("report", "out.h5", "-o", "page.html", code=4, preexec_fn=small_files)
+    assert line.startswith("page.html: could not be written (File too large)")
+    assert not list(program.folder.glob("page.html*"))
+
+
+@pytest.mark.parametrize("content", [b"", b"not HDF5", b"\x89HDF\r\n\x1a\n" + bytes(100)])
+def test_file_that_is_no_run_is_wrong_input(program, content):
+    (program.folder / "bad.h5").write_bytes(content)
+    [line] = program.fail("report", "bad.h5", "-o", "page.html")
+    assert line.startswith("bad.h5: ")
+    assert not (program.folder / "page.html").exists()
+
+
+def test_damaged_anatomy_is_told(program, collapsed):
+    _, output = collapsed
+    (program.folder / "out.h5").write_bytes(output.read_bytes())
+    with h5py.File(program.folder / "out.h5", "r+") as run:
+        run["zenosphere/anatomy/hit/spheres/sphere"][0] = 10**9
+    [line] = program.fail("report", "out.h5", "-o", "page.html")
+    assert "the anatomy names a sphere that is not there" in line
