@@ -99,7 +99,7 @@ def _boundaries(part):
         for number, style in enumerate(_styles(part, other)):
             shift = 1 + 0.012 * (number - (table.shape[1] - 1) / 2)
             panels.boundary(axes, values, table[:, number], style, span, shift)
-        if min(values) > 0 and max(values) / min(values) > 7:
+        if _is_geometric(values):
             _log_scale(axes, values)
         outer_labels(axes, grid.shape, (row, column), panels.label(key),
                       f"{panels.symbol(x_key)} where P = 1/2:\n{panels.TITLES[name]}")
@@ -198,6 +198,14 @@ def series_legend(axes, key, values):
         Line2D([], [], color=colour, marker=marker, markersize=4, linewidth=0.8,
                markeredgewidth=0, label=panels.said(key, value))
         for value, (colour, marker) in zip(values, panels.styles(len(values)))])
+
+
+def _is_geometric(values):
+    """Whether the ratios of neighbouring values are more even than their differences."""
+    if len(values) < 3 or min(values) <= 0:
+        return False
+    steps, ratios = np.diff(values), np.diff(np.log(values))
+    return np.std(ratios) / np.mean(ratios) < np.std(steps) / np.mean(steps)
 
 
 def _log_scale(axes, values):
