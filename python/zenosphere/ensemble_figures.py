@@ -42,6 +42,8 @@ def draw_ensemble(ensemble, folder, x=None, y=None):
 
 def _probabilities(part):
     """P against x: a row for each criterion, a column for each y, a series for each third key."""
+    if not part.counts.done.any():
+        return None
     x_key, x = part.axis("x")
     y_key, columns = part.axis("y")
     x = np.array(x, dtype=float)
