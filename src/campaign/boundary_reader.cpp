@@ -70,7 +70,7 @@ std::optional<Objection> objection(const Told& told) {
     return Objection{"to",
                      fmt::format("boundary.to = {} (must be > from = {})", *told.to, *told.from)};
   }
-  constexpr double finest = 1e-6;  // of the range: a grid of the posterior has limits
+  constexpr double finest = 1e-3;  // of the range: the posterior is on a grid
   const double length = *told.to - *told.from;
   if (*told.resolution > length || *told.resolution < finest * length) {
     return Objection{

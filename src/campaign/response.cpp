@@ -10,8 +10,8 @@ namespace {
 
 /// Nodes of c in a resolution: the interval's ends are interpolated between them.
 constexpr double nodes_a_resolution = 6;
-/// Nodes of c at least, for a coarse resolution, and at most: 20 ms a run while all are possible.
-constexpr double fewest_nodes = 120, most_nodes = 6000;
+/// Nodes of c at least, for a coarse resolution.
+constexpr double fewest_nodes = 120;
 /// Values of s; neighbours differ by less than a factor of two down to 1/4000 of the range.
 constexpr int scales = 16;
 /// What has less than this share of the largest weight is dropped: it would need 30 runs against
@@ -34,7 +34,7 @@ Odds odds(double x, double c, double s) {
 Response::Response(double from, double to, double resolution) : from_(from), to_(to) {
   const double length = to - from;
   const double wanted = std::ceil(3 * length / resolution * nodes_a_resolution);
-  const double count = std::clamp(wanted, fewest_nodes, most_nodes);
+  const double count = std::max(wanted, fewest_nodes);
   step_ = 3 * length / count;
   const double least = resolution / 10;
   const double ratio = std::sqrt(std::sqrt(std::sqrt(std::sqrt(length / least))));

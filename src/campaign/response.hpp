@@ -20,7 +20,8 @@ namespace zenosphere {
 class Response {
  public:
   /// \param from, to    the range of x, from < to
-  /// \param resolution  length in x that matters, in (0, to - from]
+  /// \param resolution  length in x that matters, from a thousandth of to - from to all of it; at a
+  ///                    thousandth the grid takes 10 MB, and a run 5 ms while all is possible
   Response(double from, double to, double resolution);
 
   /// Learns from one run at x.

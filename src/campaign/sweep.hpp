@@ -15,6 +15,8 @@ namespace zenosphere {
 /// Most runs of a sweep: their rows take about a gigabyte.
 inline constexpr std::int64_t most_runs = 10'000'000;
 inline constexpr std::size_t most_axes = 16;
+/// Most points of a search, each of which keeps what it knows in memory (0.2 to 10 MB).
+inline constexpr std::int64_t most_searches = 1000;
 inline constexpr std::size_t most_axis_values = 10'000;
 
 /// When a run of a sweep ends, besides what its case says: the first reached ends it.

@@ -101,6 +101,11 @@ void check_whole(const Told& told, const std::string& name, Problems& problems) 
   double runs = told.search ? static_cast<double>(told.search->range.most_runs) / 2
                             : static_cast<double>(told.seeds);  // an axis that is sought has 2 ends
   for (const SweepAxis& axis : told.axes) runs *= static_cast<double>(axis.size());
+  const double points = told.search ? runs / static_cast<double>(told.search->range.most_runs) : 0;
+  if (points > static_cast<double>(most_searches)) {
+    problems.add(absent, fmt::format("{:.4g} points to search at (at most {}); give fewer values",
+                                     points, most_searches));
+  }
   if (runs > static_cast<double>(most_runs)) {
     problems.add(absent, fmt::format("{:.4g} runs (at most {}); give fewer values or seeds", runs,
                                      most_runs));

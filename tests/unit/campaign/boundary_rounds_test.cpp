@@ -95,7 +95,7 @@ TEST(BoundaryRequest, WrongOnesAreRefusedWithWhatToDo) {
   EXPECT_EQ(refusal("to = 0.9", "to = 0.1"),
             "s.toml:7:6: boundary.to = 0.1 (must be > from = 0.1)");
   EXPECT_EQ(refusal("resolution = 0.1", "resolution = 2"),
-            "s.toml:8:14: boundary.resolution = 2 (must be in [8e-07, 0.8], parts of the range)");
+            "s.toml:8:14: boundary.resolution = 2 (must be in [0.0008, 0.8], parts of the range)");
   EXPECT_EQ(refusal("system.restitution", "system.restituton"),
             "s.toml:4:8: boundary.axis = \"system.restituton\" (is no key of a case); did you mean "
             "\"system.restitution\"?");
@@ -105,6 +105,8 @@ TEST(BoundaryRequest, WrongOnesAreRefusedWithWhatToDo) {
   EXPECT_EQ(refusal("system.restitution", "system.solids_volume_fraction"),
             "s.toml:4:8: boundary.axis = \"system.solids_volume_fraction\" (is under [axes] too); "
             "remove it there");
+  EXPECT_EQ(refusal("[0.2, 0.3]", "{ from = 0.1, to = 0.3, points = 1001 }"),
+            "s.toml: 1001 points to search at (at most 1000); give fewer values");
   EXPECT_EQ(refusal("resolution = 0.1\n", ""),
             "s.toml:3:2: boundary (needs axis, criterion, from, to and resolution); add what is "
             "missing");
