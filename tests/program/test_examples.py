@@ -36,8 +36,9 @@ def name_of(path):
     return path.relative_to(CHECKOUT).as_posix()
 
 
+RUN_ELSEWHERE = ["tutorial.md", "export.md", "ensembles.md"]  # with what stands between them
 WITH_COMMANDS = [document for document in DOCUMENTS if commands_of(document)
-                 and document.name != "tutorial.md"]  # test_tutorial.py runs all of that
+                 and document.name not in RUN_ELSEWHERE]
 CASES = [(document, number) for document in DOCUMENTS
          for number in range(len(blocks(document, "toml")))]
 
@@ -85,6 +86,16 @@ def follow(program, document):
 @pytest.mark.parametrize("document", WITH_COMMANDS, ids=name_of)
 def test_commands_of_a_document_run(program, document):
     follow(program, document)
+
+
+@pytest.mark.parametrize("page", ["export.md", "ensembles.md"])
+def test_python_of_a_document_reads_what_its_commands_have_made(program, page):
+    document = CHECKOUT / "docs" / page
+    follow(program, document)
+    script = "\n".join(blocks(document, "python"))
+    done = subprocess.run(["/usr/bin/python3", "-c", script], cwd=program.folder, text=True,
+                          capture_output=True)
+    assert done.returncode == 0 and done.stdout, done.stderr
 
 
 @pytest.mark.parametrize("document, number", CASES,

@@ -40,7 +40,7 @@ def test_every_block_of_the_tutorial_prints_what_the_page_says(clone, checkout):
         elif not excluded:
             printed = output_of(clone, language, block)
             ran += 1
-    assert ran == 8 and compared > 15
+    assert ran == 10 and compared > 15
 
 
 def test_only_the_first_block_is_not_run(checkout):
