@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <system_error>
 
 #include "model/errors.hpp"
@@ -43,6 +45,15 @@ std::string advice(int code) {
 }
 
 }  // namespace
+
+bool is_database(const std::filesystem::path& file) {
+  constexpr std::string_view head("SQLite format 3\0", 16);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::array<char, head.size()> begin{};
+  std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()) == head;
+}
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,15 @@ namespace zenosphere {
 
 /// One value of a row: nothing, an integer, a real number or text.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+/// A value, or NULL.
+template <class T>
+Cell or_null(const std::optional<T>& value) {
+  return value ? Cell(*value) : Cell();
+}
+
+/// Whether a file begins as every SQLite database does.
+bool is_database(const std::filesystem::path& file);
 
 /// A prepared statement of an SQLite database, which must outlive it.
 class Statement {

@@ -13,11 +13,6 @@
 namespace zenosphere {
 namespace {
 
-template <class T>
-Cell or_null(const std::optional<T>& value) {
-  return value ? Cell(*value) : Cell();
-}
-
 template <double Averages::*member>
 Cell average(const Summary& summary) {
   return summary.averages ? Cell((*summary.averages).*member) : Cell();

@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <fstream>
-#include <string_view>
-
 #include "campaign/run_case.hpp"
 #include "campaign/store.hpp"
 #include "io/case_file.hpp"
@@ -14,15 +10,6 @@
 namespace zenosphere {
 
 namespace {
-
-/// Every SQLite file begins with these bytes.
-bool is_database(const std::string& file) {
-  constexpr std::string_view head("SQLite format 3\0", 16);
-  std::array<char, 16> begin{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(begin.data(), begin.size());
-  return std::string_view(begin.data(), begin.size()) == head;
-}
 
 std::string text_of(const Case& values, const std::string& file, std::int64_t run) {
   return fmt::format("# Run {} of {}\n\n", run, printable(file)) + resolved_toml(values);

@@ -44,11 +44,6 @@ std::string run_table(const std::vector<SweepAxis>& axes) {
   return sql + ')';
 }
 
-template <class T>
-Cell or_null(const std::optional<T>& value) {
-  return value ? Cell(*value) : Cell();
-}
-
 std::optional<double> real_or_nothing(const Cell& cell) {
   const auto* number = std::get_if<double>(&cell);
   return number ? std::optional(*number) : std::nullopt;

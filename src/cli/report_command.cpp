@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "campaign/database.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "model/errors.hpp"
@@ -29,7 +30,7 @@ int report(const Arguments& arguments) {
     throw OutputError(arguments.page + ": is what it is to show; choose another name");
   }
   const auto existing = arguments.overwrite ? ExistingPage::replace : ExistingPage::refuse;
-  const bool is_sweep = is_sweep_store(arguments.file);
+  const bool is_sweep = is_database(arguments.file);
   (is_sweep ? write_sweep_page : write_run_page)(arguments.file, arguments.page, existing);
   return exit_code::done;
 }

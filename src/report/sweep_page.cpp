@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -145,15 +144,6 @@ std::string sweep_json(const std::string& name, Database& store) {
 }
 
 }  // namespace
-
-bool is_sweep_store(const std::filesystem::path& path) {
-  constexpr std::string_view head("SQLite format 3\0", 16);
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  std::array<char, head.size()> begin{};
-  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
-  return std::string_view(begin.data(), begin.size()) == head;
-}
 
 void write_sweep_page(const std::filesystem::path& store, const std::filesystem::path& page,
                       ExistingPage existing) {

@@ -6,9 +6,6 @@
 
 namespace zenosphere {
 
-/// Whether a file begins as stores of sweeps do.
-bool is_sweep_store(const std::filesystem::path& path);
-
 /// Writes one HTML page that shows a sweep: how often its runs meet the criteria at each point of
 /// the grid, and the runs and the case file of a point that is chosen.
 ///
