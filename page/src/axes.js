@@ -2,7 +2,7 @@
 import { INK } from "./colours.js";
 import { grouped, power, short } from "./format.js";
 
-export const LEFT = 74; // CSS pixels, for its numbers
+export const LEFT = 98; // CSS pixels, for its numbers and the names of pairs
 const FONT = "12px system-ui, sans-serif";
 
 /** Places of the ticks of a logarithmic axis: every decade, or every few. */

@@ -141,22 +141,21 @@ function flightPlot(run, take) {
       title: "Time per collision",
       isLog: true,
       columns: (view) => {
-        const mean = view.span.map((span, n) => span / view.count[n]);
-        floor = positiveRange(mean)[0] / 10;
-        const drawn = floored(mean, floor);
-        return { low: drawn, high: drawn };
+        floor = positiveRange(view.flightLow, view.flightHigh)[0] / 10;
+        return { low: floored(view.flightLow, floor), high: floored(view.flightHigh, floor) };
       },
       text: (view, n) => {
-        const mean = view.span[n] / view.count[n];
-        return mean === 0 ? "the clock does not move" : short(mean, 4);
+        if (view.flightHigh[n] === 0) return "the clock does not move";
+        const mean = view.stretch.width > 1 ? " (means of bins)" : "";
+        return `${extremes(view.flightLow[n], view.flightHigh[n], 4)}${mean}`;
       },
       range: ({ high }) => [floor / 3, positiveRange(high)[1] * 3],
       paint(plot, ctx) {
         plot.paintBars(ctx);
-        const { x, high } = plot.data;
+        const { x, low } = plot.data;
         plot.paintTicks(
           ctx,
-          [...x.keys()].filter((n) => high[n] <= floor),
+          [...x.keys()].filter((n) => low[n] <= floor),
           floor,
         );
       },

@@ -51,7 +51,8 @@ function merged(stretch, begin, end, group) {
   for (const name of [
     "k",
     "time",
-    "span",
+    "flightLow",
+    "flightHigh",
     "count",
     "gapLow",
     "gapHigh",
@@ -67,29 +68,42 @@ function merged(stretch, begin, end, group) {
   return view;
 }
 
+/** Time per collision of a bin, of one row as it is; NaN where it is not known when it began. */
+function flightOf({ width, k, time, size, last }, bin) {
+  if (bin === 0) return NaN;
+  const next = bin + 1 < size ? k[bin + 1] : last + 1;
+  const collisions = width === 1 ? k[bin] - k[bin - 1] : next - k[bin];
+  return (time[bin] - time[bin - 1]) / collisions;
+}
+
 function fill(view, n, first, end) {
   const { stretch } = view;
   let [gapLow, gapHigh, speedLow, speedHigh, hits, flags] = [NaN, NaN, Infinity, -Infinity, 0, 0];
+  let [flightLow, flightHigh] = [NaN, NaN];
   for (let bin = first; bin < end; ++bin) {
     gapLow = lower(gapLow, stretch.gapLow[bin]);
     gapHigh = higher(gapHigh, stretch.gapHigh[bin]);
     speedLow = lower(speedLow, stretch.speedLow[bin]);
     speedHigh = higher(speedHigh, stretch.speedHigh[bin]);
+    const flight = flightOf(stretch, bin);
+    flightLow = lower(flightLow, flight);
+    flightHigh = higher(flightHigh, flight);
     hits += stretch.hitsIn(bin);
     flags |= stretch.flags[bin];
   }
   view.k[n] = stretch.k[first];
   view.time[n] = stretch.time[end - 1];
   view.count[n] = (end < stretch.size ? stretch.k[end] : stretch.last + 1) - stretch.k[first];
-  view.span[n] = first ? stretch.time[end - 1] - stretch.time[first - 1] : NaN;
   [
     view.gapLow[n],
     view.gapHigh[n],
     view.speedLow[n],
     view.speedHigh[n],
+    view.flightLow[n],
+    view.flightHigh[n],
     view.hits[n],
     view.flags[n],
-  ] = [gapLow, gapHigh, speedLow, speedHigh, hits, flags];
+  ] = [gapLow, gapHigh, speedLow, speedHigh, flightLow, flightHigh, hits, flags];
 }
 
 export class Log {
@@ -109,8 +123,9 @@ export class Log {
   }
 
   /**
-   * Collisions `first` to `last` in at most about `most` entries: extremes of gap and speed, the
-   * time after each entry, the time it spans, its hits and flags.
+   * Collisions `first` to `last` in at most about `most` entries: extremes of gap, speed and time
+   * per collision (of the means of bins where those hold several), the time after each entry, its
+   * hits and flags.
    */
   view(first, last, most) {
     if (this.isEmpty) return null;

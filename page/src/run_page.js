@@ -52,7 +52,7 @@ function header(run) {
   const drive = {
     shear: `sheared at rate ${short(values.shear_rate)}`,
     random: "randomly driven",
-    none: "not driven",
+    none: values.walls ? `between walls along ${values.walls}` : "not driven",
   };
   const facts = [
     `${grouped(run.spheres)} ${["rods", "disks", "spheres"][run.dimension - 1]}`,
@@ -157,7 +157,8 @@ function thinningNote(run) {
   const part = run.log_complete ? "" : " The log holds a part of the run only.";
   if (all.width === 1) return `Every logged collision is in this page.${part}`;
   return (
-    `A dash reaches from the smallest to the largest value of ${all.width} or more collisions; ` +
+    `A dash reaches from the smallest to the largest value of ${all.width} or more collisions ` +
+    "(of the time per collision: their means); " +
     `near hits and arrest every collision is in this page.${part}`
   );
 }

@@ -96,9 +96,17 @@ describe("a log", () => {
     assert.equal(log.view(400, 600, 1000).width, 10);
   });
 
-  test("tells the time that each entry spans", () => {
+  test("tells the extremes of the time per collision", () => {
     const view = log.view(770, 790, 100);
-    assert.ok([...view.span].every((span) => span === 1));
+    assert.ok([...view.flightLow, ...view.flightHigh].every((flight) => flight === 1));
+  });
+
+  test("loses no collision at which the clock stands still among others", () => {
+    const still = stretch(1, 100, 1, {});
+    still.time[49] = still.time[48]; // no time for this one, two for the next
+    const view = new Log([still]).view(1, 100, 10);
+    assert.equal(Math.min(...view.flightLow.subarray(1)), 0);
+    assert.equal(Math.max(...view.flightHigh.subarray(1)), 2);
   });
 });
 
