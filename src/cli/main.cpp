@@ -10,7 +10,8 @@
 namespace {
 
 int fail(const std::exception& error, int exit_code) {
-  fmt::print(stderr, "{}\n", zenosphere::printable(error.what()));
+  // Not fmt::print, which throws where the standard error is closed.
+  std::fputs((zenosphere::printable(error.what()) + '\n').c_str(), stderr);
   return exit_code;
 }
 

@@ -2,6 +2,7 @@
 
 import os
 import resource
+import subprocess
 
 import h5py
 import pytest
@@ -204,3 +205,9 @@ def test_full_standard_output_is_exit_code_4(program, command):
     program.keep()
     done = program.redirected("/dev/full", *command)
     assert done.returncode == 4 and "standard output" in done.stderr
+
+
+def test_error_that_nobody_hears_still_has_its_exit_code(program):
+    script = 'exec "$0" check missing.toml 2>&-'
+    done = subprocess.run(["sh", "-c", script, *program.command()], cwd=program.folder)
+    assert done.returncode == 2
