@@ -51,7 +51,7 @@ void add_selection(CLI::App& command, Selection& selection) {
       ->capture_default_str();
   command.add_option("--to", selection.to, "last one, likewise; without: the last there is");
   command.add_option("--every", selection.every, "one of so many")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52))
       ->capture_default_str();
 }
 
