@@ -6,6 +6,7 @@
 #include "campaign/database.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
+#include "io/journal.hpp"
 #include "model/errors.hpp"
 #include "report/run_page.hpp"
 #include "report/sweep_page.hpp"
@@ -26,7 +27,8 @@ int report(const Arguments& arguments) {
     throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
   }
   std::error_code ignored;  // what does not exist is not the run
-  if (std::filesystem::equivalent(arguments.page, arguments.file, ignored)) {
+  if (std::filesystem::equivalent(arguments.page, arguments.file, ignored) ||
+      std::filesystem::equivalent(arguments.page, journal_of(arguments.file), ignored)) {
     throw OutputError(arguments.page + ": is what it is to show; choose another name");
   }
   const auto existing = arguments.overwrite ? ExistingPage::replace : ExistingPage::refuse;

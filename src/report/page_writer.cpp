@@ -1,6 +1,7 @@
 #include "report/page_writer.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -12,6 +13,11 @@ namespace zenosphere {
 namespace {
 
 namespace fs = std::filesystem;
+
+[[noreturn]] void tell_failure(const fs::path& path, int error) {
+  throw OutputError(fmt::format("{}: could not be written ({}); choose another place",
+                                path.string(), std::strerror(error)));
+}
 
 void require_writable(const fs::path& path, ExistingPage existing) {
   const auto refuse = [&](const std::string& text) {
@@ -76,9 +82,9 @@ std::string as_script(std::string_view json) {
 PageWriter::PageWriter(const fs::path& path, ExistingPage existing)
     : path_(path), part_(path), rest_(whole_template()), file_(nullptr, std::fclose) {
   require_writable(path, existing);
-  part_ += ".part";
-  file_.reset(std::fopen(part_.c_str(), "wb"));
-  if (!file_) fail(errno);
+  part_ += fmt::format(".part-{}", getpid());
+  file_.reset(std::fopen(part_.c_str(), "wbx"));  // never what is somebody else's
+  if (!file_) tell_failure(path, errno);
   const std::size_t mark = rest_.find(data_mark);
   write(rest_.substr(0, mark));
   rest_.remove_prefix(std::min(rest_.size(), mark + data_mark.size()));
@@ -121,8 +127,7 @@ void PageWriter::write(std::string_view text) {
 void PageWriter::fail(int error) const {
   std::error_code ignored;
   fs::remove(part_, ignored);
-  throw OutputError(fmt::format("{}: could not be written ({}); choose another place",
-                                path_.string(), std::strerror(error)));
+  tell_failure(path_, error);
 }
 
 }  // namespace zenosphere

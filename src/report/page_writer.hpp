@@ -22,8 +22,8 @@ std::string as_script(std::string_view json);
 
 /// Writes a page: the template with data in the place of its mark.
 ///
-/// The page gets its name when it is complete; until then there is `PAGE.part`. Every member throws
-/// OutputError, and a page that was not finished leaves nothing.
+/// The page gets its name when it is complete; until then there is `PAGE.part-` and the number of
+/// the process. Every member throws OutputError, and a page that was not finished leaves nothing.
 class PageWriter {
  public:
   /// Throws where the folder is missing, the page exists and may not be replaced, or this program

@@ -167,6 +167,22 @@ def test_run_is_never_overwritten_by_its_page(program):
     assert (program.folder / "out.h5").read_bytes() == before
 
 
+def test_journal_is_never_overwritten_by_a_page(program):
+    program.keep()
+    journal = program.folder / "out.h5.journal"
+    journal.write_bytes(b"the end of the run")
+    [line] = program.fail("report", "out.h5", "-o", journal.name, "--overwrite", code=4)
+    assert line == "out.h5.journal: is what it is to show; choose another name"
+    assert journal.read_bytes() == b"the end of the run"
+
+
+def test_file_of_another_name_is_not_touched_by_a_page(program):
+    program.keep()
+    (program.folder / "page.html.part").write_text("mine")
+    program("report", "out.h5", "-o", "page.html")
+    assert (program.folder / "page.html.part").read_text() == "mine"
+
+
 @pytest.mark.parametrize("target, reason", [
     ("missing/page.html", "there is no folder missing"), (".", "is not a regular file"),
     ("/dev/full", "is not a regular file")])
