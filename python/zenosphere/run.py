@@ -214,4 +214,10 @@ def _checked(case: Case | Mapping[str, Mapping[str, Any]] | str | os.PathLike[st
 
 
 def _count(collisions: int | None) -> int | None:
-    return None if collisions is None else operator.index(collisions)
+    if collisions is None:
+        return None
+    count = operator.index(collisions)
+    if abs(count) >= 2**63:
+        raise InputError(f"advance: collisions = {count} (needs 64 bits); leave it out to go on"
+                         " to the end")
+    return count

@@ -17,6 +17,9 @@ def tables_text(tables: Mapping[str, Mapping[str, Any]], name: str) -> str:
     name: what error messages begin with
     Raises InputError for what TOML cannot say.
     """
+    if not isinstance(tables, Mapping):
+        raise InputError(f"{name}: is a {type(tables).__name__} (a case is nested dicts); give"
+                         " {'system': {...}, ...}, or use Case.read or Case.parse")
     lines = []
     for table, values in tables.items():
         if not isinstance(values, Mapping):
@@ -41,15 +44,30 @@ def value_text(value: Any, where: str) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Integral):
-        return str(int(value))
+        return _integer_text(int(value), where)
     if isinstance(value, Real):
         return _real_text(float(value))
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+        return _quoted(value, where)
     if isinstance(value, Sequence):
         return "[" + ", ".join(value_text(item, where) for item in value) + "]"
     raise InputError(f"{where} = {value!r} (a {type(value).__name__}, which TOML has not); give a"
                      " number, a text, a bool or a list of them")
+
+
+def _integer_text(number: int, where: str) -> str:
+    if -2**63 <= number < 2**63:
+        return str(number)
+    raise InputError(f"{where} = {number} (TOML's integers have 64 bits); give a smaller one")
+
+
+def _quoted(text: str, where: str) -> str:
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise InputError(f"{where} = {text!r} (half of a pair of surrogates is no character); give"
+                         " Unicode text") from None
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _real_text(number: float) -> str:
@@ -57,6 +75,8 @@ def _real_text(number: float) -> str:
 
 
 def _key(name: str) -> str:
+    if not isinstance(name, str):
+        raise InputError(f"case: key {name!r} (a {type(name).__name__}, keys are text); quote it")
     bare = name and all(letter.isascii() and (letter.isalnum() or letter in "_-")
                         for letter in name)
-    return name if bare else json.dumps(name, ensure_ascii=False)
+    return name if bare else _quoted(name, "case: key")

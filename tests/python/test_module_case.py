@@ -91,7 +91,12 @@ def test_all_errors_in_a_dict_are_told_at_once():
     (broken(restitution=float("nan")), "case: system.restitution = nan (must be"),
     ({**SHEARED, "sistem": {}}, "case: unknown table [sistem]; did you mean [system]?"),
     ({**SHEARED, 'a "b"\n': {}}, "case: unknown table"),
-], ids=["no table", "complex", "nested", "text", "nan", "unknown table", "odd name"])
+    ({**SHEARED, 7: {}}, "case: key 7 (a int, keys are text)"),
+    ([SHEARED], "case: is a list (a case is nested dicts)"),
+    (broken(spheres=10**30), "case: system.spheres = 1000000000000000000000000000000 (TOML's"),
+    (broken(restitution="\ud800"), "case: system.restitution = '\\ud800' (half of a pair"),
+], ids=["no table", "complex", "nested", "text", "nan", "unknown table", "odd name", "number",
+        "list", "huge", "surrogate"])
 def test_dict_that_is_no_case_is_refused(tables, told):
     assert complaint(zenosphere.Case, tables).startswith(told)
 

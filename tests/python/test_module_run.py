@@ -164,6 +164,7 @@ def test_finished_run_cannot_go_on_but_can_be_asked():
 
 @pytest.mark.parametrize("wrong, told", [
     ({"collisions": -1}, r"collisions = -1 \(must be >= 0\)"),
+    ({"collisions": 2**63}, r"collisions = 9223372036854775808 \(needs 64 bits\)"),
     ({"until": -0.5}, r"until = -0.5 \(must be a time >= 0\)"),
     ({"until": float("nan")}, r"until = nan \(must be a time >= 0\)"),
 ])
