@@ -106,8 +106,10 @@ Case case_to_resume(const RecoveredOutput& output, std::span<const std::string> 
   values.text = output.info.case_text;
   promote(parse_case(output.info.resolved_case, output.path.string(), {}), output.path.string(),
           values);
-  // A run that was cut off at its very end has its end still to write.
-  const bool has_ended = output.info.complete && output.journal.size() == 0;
+  // A run that was cut off at its very end has its end still to write. One that was made longer and
+  // cut off before its first checkpoint has a journal, and stands where it had ended nevertheless.
+  const bool has_ended =
+      output.info.complete && (output.journal.size() == 0 || output.checkpoint.summary.empty());
   const std::string summary =
       has_ended ? output.info.summary.value_or("") : output.checkpoint.summary;
   const Summary reached = summary_from_json(summary, output.info.dimension);
