@@ -79,7 +79,7 @@ class Run:
                  overwrite: bool = False) -> None:
         start = _core.Run.start_replacing if overwrite else _core.Run.start
         self._core = start(_checked(case, overrides)._core,
-                           None if output is None else os.fspath(output))
+                           None if output is None else _path(output))
 
     @classmethod
     def resume(cls, output: str | os.PathLike[str], *, overrides: Overrides | None = None) -> "Run":
@@ -211,6 +211,14 @@ def _checked(case: Case | Mapping[str, Mapping[str, Any]] | str | os.PathLike[st
     if isinstance(case, Mapping):
         return Case(case, overrides=overrides)
     return Case.read(case, overrides=overrides)
+
+
+def _path(output: str | os.PathLike[str]) -> str:
+    path = os.fsdecode(output)
+    if not path or "\0" in path:
+        raise InputError(f"output = {path!r} (is no name of a file); name one, or None to keep"
+                         " nothing")
+    return path
 
 
 def _count(collisions: int | None) -> int | None:

@@ -194,3 +194,9 @@ def test_two_runs_in_two_threads_are_two_runs(tmp_path):
     for run in runs:
         run.finish()
     assert differences(tmp_path / "a.h5", tmp_path / "b.h5") == []
+
+
+@pytest.mark.parametrize("name", ["", "a\0b"])
+def test_output_without_a_name_is_refused(name):
+    with pytest.raises(zenosphere.InputError, match="is no name of a file"):
+        zenosphere.Run(case(), output=name)
