@@ -44,7 +44,10 @@ function header(sweep) {
     element(
       "p",
       {},
-      `${grouped(status.length)} runs${rest}; ${axes || "no axes"}, ${grouped(sweep.seeds)} seeds`,
+      `${grouped(status.length)} runs${rest}; ${axes || "no axes"}, ` +
+        (sweep.seeds
+          ? `${grouped(sweep.seeds)} seeds`
+          : `a search along ${sweep.axes.at(-1).key}: the shares are those of the runs it made there`),
     ),
   );
 }

@@ -44,17 +44,37 @@ Json json_of(const Cell& cell) {
   return {};
 }
 
+/// `, "system.restitution"` and so on: the columns of the axes.
+std::string axis_list(const StoredSweep& sweep) {
+  std::vector<const case_format::Key*> keys;
+  for (const StoredAxis& axis : sweep.axes) keys.push_back(axis.key);
+  return axis_columns(keys);
+}
+
+/// Searches have no seeds: each of their runs has a seed, and a place on the last axis, of its own.
+bool is_search(const StoredSweep& sweep) { return sweep.seeds == 0; }
+
+/// The table `run` with the number of the point of the page that each run belongs to, `place`. Of a
+/// grid it is the point of the store, which in a search has runs all along the last axis.
+std::string runs_with_places(const StoredSweep& sweep) {
+  const std::string place =
+      is_search(sweep) ? fmt::format("min(run) OVER (PARTITION BY point{})", axis_list(sweep))
+                       : "point";
+  return fmt::format("(SELECT *, {} AS place FROM run)", place);
+}
+
 /// The rows of the store, column by column. Seeds are text: they have more digits than a number of
 /// JavaScript.
-Json runs_of(Database& store) {
+Json runs_of(Database& store, const StoredSweep& sweep) {
   std::string list;
   Json json = Json::object();
   for (const auto& name : columns) {
-    list += fmt::format("{}, ", name);
+    list += fmt::format("{}, ", name == "point" ? "place" : name);
     json[std::string(name)] = Json::array();
   }
   json["seed"] = Json::array();
-  Statement query = store.statement("SELECT " + list + "seed FROM run ORDER BY run");
+  Statement query =
+      store.statement("SELECT " + list + "seed FROM " + runs_with_places(sweep) + " ORDER BY run");
   while (query.step()) {
     for (std::size_t n = 0; n < columns.size(); ++n) {
       json[std::string(columns[n])].push_back(json_of(query.cell(static_cast<int>(n))));
@@ -88,8 +108,8 @@ Json difference(const std::vector<std::string>& first, const std::vector<std::st
 /// The resolved case of one run of each point: the first one whole, the others as what differs.
 Json cases_of(Database& store, const StoredSweep& sweep) {
   StoredRuns runs(store, sweep);
-  Statement query =
-      store.statement("SELECT point, min(run) FROM run GROUP BY point ORDER BY point");
+  Statement query = store.statement("SELECT place, min(run) FROM " + runs_with_places(sweep) +
+                                    " GROUP BY place ORDER BY place");
   Json json{{"first", Json::array()}, {"points", Json::object()}};
   std::vector<std::string> first;
   while (query.step()) {
@@ -104,10 +124,8 @@ Json cases_of(Database& store, const StoredSweep& sweep) {
 
 /// Where each point is on the axes: {"0": [0.1, "fcc"]}.
 Json places_of(Database& store, const StoredSweep& sweep) {
-  std::vector<const case_format::Key*> keys;
-  for (const StoredAxis& axis : sweep.axes) keys.push_back(axis.key);
-  Statement query = store.statement("SELECT point, min(run)" + axis_columns(keys) +
-                                    " FROM run GROUP BY point ORDER BY point");
+  Statement query = store.statement("SELECT place, min(run)" + axis_list(sweep) + " FROM " +
+                                    runs_with_places(sweep) + " GROUP BY place ORDER BY place");
   Json json = Json::object();
   while (query.step()) {
     Json place = Json::array();
@@ -117,13 +135,23 @@ Json places_of(Database& store, const StoredSweep& sweep) {
   return json;
 }
 
-Json axes_of(const StoredSweep& sweep) {
+/// Every value on an axis that has a run, ascending.
+Json tried_values(Database& store, const case_format::Key& key) {
+  Statement query =
+      store.statement(fmt::format("SELECT DISTINCT \"{}\" FROM run ORDER BY 1", key.path()));
+  Json values = Json::array();
+  while (query.step()) values.push_back(json_of(query.cell(0)));
+  return values;
+}
+
+Json axes_of(Database& store, const StoredSweep& sweep) {
   Json json = Json::array();
   for (const StoredAxis& axis : sweep.axes) {
     Json values = Json::array();
     for (const std::string& value : axis.values) values.push_back(Json::parse(value));
     json.push_back({{"key", axis.key->path()}, {"values", values}});
   }
+  if (is_search(sweep)) json.back()["values"] = tried_values(store, *sweep.axes.back().key);
   return json;
 }
 
@@ -136,10 +164,10 @@ std::string sweep_json(const std::string& name, Database& store) {
                   {"seeds", sweep.seeds},
                   {"program_version", sweep.program_version},
                   {"git_hash", sweep.git_hash},
-                  {"axes", axes_of(sweep)},
+                  {"axes", axes_of(store, sweep)},
                   {"places", places_of(store, sweep)},
                   {"cases", cases_of(store, sweep)},
-                  {"runs", runs_of(store)}};
+                  {"runs", runs_of(store, sweep)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -140,6 +140,33 @@ def test_page_of_a_sweep_holds_its_rows_and_the_case_of_every_point(program):
     assert program("sweep", "show", "s.sqlite", "--run", "3").stdout.endswith("\n".join(lines))
 
 
+def test_point_of_a_search_has_the_runs_of_one_value_and_their_case(program):
+    (program.folder / "s.toml").write_text("""[sweep]
+case = "case.toml"
+[axes]
+"system.solids_volume_fraction" = [0.2, 0.3]
+[boundary]
+axis = "system.restitution"
+criterion = "separation"
+from = 0.1
+to = 0.9
+resolution = 0.2
+[stop]
+collisions_per_sphere = 20
+""")
+    program("sweep", "s.toml", "--quiet")
+    program("report", "s.sqlite", "-o", "s.html")
+    found = blocks(program.folder / "s.html")["sweep"]
+    runs, places = found["runs"], found["places"]
+    with sqlite3.connect(program.folder / "s.sqlite") as store:
+        stored = store.execute('SELECT "system.solids_volume_fraction", "system.restitution" '
+                               "FROM run ORDER BY run").fetchall()
+    store.close()
+    assert [tuple(places[str(point)]) for point in runs["point"]] == stored
+    assert set(found["axes"][1]["values"]) == {restitution for _, restitution in stored}
+    assert len(places) > 2 and set(found["cases"]["points"]) == set(places)
+
+
 def test_database_that_is_no_sweep_is_refused(program):
     with sqlite3.connect(program.folder / "other.sqlite") as store:
         store.execute("CREATE TABLE run (x)")
