@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "campaign/csv.hpp"
 #include "campaign/show.hpp"
@@ -32,7 +34,20 @@ int show(const Arguments& arguments) {
   return exit_code::done;
 }
 
+/// Throws where the output cannot be meant as it was typed.
+void check_output(const Arguments& arguments) {
+  if (!arguments.output) return;
+  if (arguments.output->empty()) {
+    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
+  }
+  std::error_code ignored;  // what does not exist is not the store
+  if (std::filesystem::equivalent(*arguments.output, arguments.file, ignored)) {
+    throw OutputError(*arguments.output + ": is the store itself; choose another name");
+  }
+}
+
 int csv(const Arguments& arguments) {
+  check_output(arguments);
   Database database(arguments.file, Database::Access::read);
   stored_sweep(database);
   if (!arguments.output) {

@@ -229,3 +229,13 @@ def test_script_finds_killed_sweeps_equal_to_undisturbed_ones(sweep, checkout):
         [checkout / "scripts" / "reliability" / "kill-a-sweep", "1"], text=True, capture_output=True,
         timeout=120, env={**os.environ, "ZENOSPHERE": str(sweep.command()[0])})
     assert done.stdout.startswith("1 of 1 ") and done.returncode == 0, done.stdout + done.stderr
+
+
+def test_csv_is_never_written_over_its_store(sweep):
+    sweep("sweep", "s.toml", "--quiet")
+    before = (sweep.folder / "s.sqlite").read_bytes()
+    (sweep.folder / "link.csv").symlink_to("s.sqlite")
+    for name in ("s.sqlite", "link.csv"):
+        done = sweep("sweep", "csv", "s.sqlite", "-o", name, code=4)
+        assert done.stderr == f"{name}: is the store itself; choose another name\n"
+    assert (sweep.folder / "s.sqlite").read_bytes() == before
