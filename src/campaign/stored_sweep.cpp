@@ -160,6 +160,13 @@ std::vector<std::string> differences(const StoredSweep& stored, const Sweep& swe
   }
   for (std::size_t n = 0; n < sweep.axes.size(); ++n) {
     const auto values = json_values(sweep.axes[n]);
+    if (sweep.boundary && values != stored.axes[n].values) {
+      lines.push_back(
+          fmt::format("axes.\"{}\" has other values or another order (the points of a "
+                      "search keep theirs)",
+                      sweep.axes[n].path()));
+      continue;
+    }
     for (const std::string& value : stored.axes[n].values) {
       if (std::find(values.begin(), values.end(), value) != values.end()) continue;
       lines.push_back(fmt::format("axes.\"{}\" lacks {} (which the store has)",

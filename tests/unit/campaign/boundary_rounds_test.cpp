@@ -166,5 +166,13 @@ TEST_F(BoundaryRoundsTest, ShareNoStoreWithAGridOrAnotherCriterion) {
       open(parse_sweep(replaced(small_search, "resolution = 0.1", "resolution = 0.05"), "s.toml")));
 }
 
+TEST_F(BoundaryRoundsTest, KeepTheirPointsSinceRowsAreKnownByTheirNumber) {
+  open(parse_sweep(small_search, "s.toml"));
+  for (const char* values : {"[0.2, 0.25, 0.3]", "[0.3, 0.2]", "[0.2, 0.3, 0.4]", "[0.2]"}) {
+    const Sweep other = parse_sweep(replaced(small_search, "[0.2, 0.3]", values), "s.toml");
+    EXPECT_THROW(open(other), InputError) << values;
+  }
+}
+
 }  // namespace
 }  // namespace zenosphere
