@@ -120,7 +120,9 @@ Database::Database(const std::filesystem::path& path, Access access) : name_(pat
   const int flags =
       access == Access::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   sqlite3* opened = nullptr;
-  const int code = sqlite3_open_v2(name_.c_str(), &opened, flags, nullptr);
+  // The library keeps what is named :memory: or file:... elsewhere; a path from / is always a file.
+  const std::string file = std::filesystem::absolute(path, ignored).string();
+  const int code = sqlite3_open_v2(file.c_str(), &opened, flags, nullptr);
   database_.reset(opened);
   if (code != SQLITE_OK) fail(name_, opened, code);
   sqlite3_busy_timeout(opened, busy_milliseconds);

@@ -135,6 +135,9 @@ int sweep(const Arguments& arguments) {
   if (arguments.file.empty()) {
     throw InputError("sweep: which one? (no file is named); write zenosphere sweep SWEEP.toml");
   }
+  if (arguments.store && arguments.store->empty()) {
+    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
+  }
   return launched_ranks() > 1 ? sweep_in_ranks(arguments) : sweep_in_threads(arguments);
 }
 

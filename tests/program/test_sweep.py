@@ -239,3 +239,14 @@ def test_csv_is_never_written_over_its_store(sweep):
         done = sweep("sweep", "csv", "s.sqlite", "-o", name, code=4)
         assert done.stderr == f"{name}: is the store itself; choose another name\n"
     assert (sweep.folder / "s.sqlite").read_bytes() == before
+
+
+@pytest.mark.parametrize("name", [":memory:", "file:s.sqlite?mode=memory"])
+def test_store_is_a_file_whatever_its_name(sweep, name):
+    sweep("sweep", "s.toml", "-o", name, "--quiet")
+    assert len(rows(sweep.folder / name)) == 8
+
+
+def test_store_without_a_name_is_refused(sweep):
+    done = sweep("sweep", "s.toml", "-o", "", code=2)
+    assert done.stderr.startswith("-o: the file name is empty")
