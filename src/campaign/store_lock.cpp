@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <optional>
+#include <system_error>
 
 #include "model/errors.hpp"
 
@@ -23,9 +24,17 @@ FileDescriptor opened(const std::filesystem::path& path, const std::filesystem::
   }
 }
 
+/// Beside the file itself: a store that is reached by a link has the same lock.
+std::filesystem::path lock_of(const std::filesystem::path& store) {
+  std::error_code ignored;
+  const bool is_link = std::filesystem::is_symlink(store, ignored);
+  const auto file = is_link ? std::filesystem::weakly_canonical(store, ignored) : store;
+  return (file.empty() ? store : file).string() + "-lock";
+}
+
 }  // namespace
 
-StoreLock::StoreLock(const std::filesystem::path& store) : path_(store.string() + "-lock") {
+StoreLock::StoreLock(const std::filesystem::path& store) : path_(lock_of(store)) {
   // Another sweep may remove the file between our opening and locking it: then it is made anew.
   do {
     file_ = opened(path_, store);

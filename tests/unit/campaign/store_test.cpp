@@ -158,6 +158,13 @@ TEST_F(SweepStoreTest, IsWrittenByOneSweepAtATime) {
   EXPECT_NE(refusal(small_sweep).find("another sweep is writing to it"), std::string::npos);
 }
 
+TEST_F(SweepStoreTest, IsLockedUnderEveryNameThatLeadsToIt) {
+  const SweepStore first = store();
+  const std::string link = (folder_.path / "link.sqlite").string();
+  std::filesystem::create_symlink("s.sqlite", link);
+  EXPECT_THROW(SweepStore(link, parse_sweep(small_sweep, "s.toml")), OutputError);
+}
+
 TEST_F(SweepStoreTest, LeavesNothingBesideItselfWhenItIsClosed) {
   store();
   int files = 0;
