@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "campaign/boundary_rounds.hpp"
 #include "campaign/run_case.hpp"
 #include "run/run.hpp"
 
@@ -75,7 +76,9 @@ SweepPlan plan_of(const Sweep& sweep, const std::optional<std::string>& store,
   SweepPlan plan;
   if (store) {
     Database database(*store, Database::Access::read);
-    require_same(stored_sweep(database), sweep, *store);
+    const StoredSweep stored = stored_sweep(database);
+    require_same_search(database, sweep);
+    require_same(stored, sweep, *store);
     plan.counts = run_counts(database);
     plan.counts.pending = sweep.runs() - plan.counts.done - plan.counts.failed;
     if (estimate_by_store(plan, database)) return plan;
