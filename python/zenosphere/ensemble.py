@@ -18,8 +18,10 @@ CONDITIONS = {  # SQL: the run met it, within :limit collisions per sphere
 }
 CONDITIONS["false positive"] = f"({CONDITIONS['separation']} = 1 AND {CONDITIONS['arrest']} = 0)"
 CONDITIONS["open"] = "COALESCE(verdict = 'open', 0)"  # a false positive that might arrest yet
-# Collisions per sphere = 2 collisions / N, and N need not be an axis.
-SCALED = ("(SELECT *, collisions_per_sphere / NULLIF(collisions, 0) AS scale FROM run)")
+# Collisions per sphere = 2 collisions / N, and N need not be an axis. What a run came to that
+# stop.wall_seconds ended depends on the machine: it is no result, whatever its status.
+SCALED = ("(SELECT *, collisions_per_sphere / NULLIF(collisions, 0) AS scale,"
+          " CASE WHEN ended_by = 'wall time' THEN 'failed' ELSE status END AS result FROM run)")
 
 
 @dataclass(frozen=True)
@@ -37,7 +39,10 @@ class Axis:
 
 @dataclass(frozen=True)
 class Counts:
-    """Runs of each point; every array has one dimension an axis, in the order of the axes."""
+    """Runs of each point; every array has one dimension an axis, in the order of the axes.
+
+    Runs that stop.wall_seconds ended count as failed.
+    """
 
     runs: np.ndarray
     done: np.ndarray
@@ -99,7 +104,7 @@ class Ensemble:
         with closing(self._opened()) as store:
             rows = store.execute(
                 f"SELECT {quoted(key)}, {CONDITIONS[criterion]} FROM {SCALED} WHERE point = :point"
-                " AND status = 'done' ORDER BY run", {"point": point, "limit": np.inf}).fetchall()
+                " AND result = 'done' ORDER BY run", {"point": point, "limit": np.inf}).fetchall()
         x, met = zip(*rows) if rows else ((), ())
         return np.array(x, dtype=float), np.array(met, dtype=bool)
 
@@ -120,10 +125,10 @@ class Ensemble:
 
     def _grouped(self, limit):
         keys = ", ".join(quoted(axis.key) for axis in self.axes)
-        sums = ", ".join(f"SUM(status = 'done' AND {CONDITIONS[name]})" for name in CRITERIA)
+        sums = ", ".join(f"SUM(result = 'done' AND {CONDITIONS[name]})" for name in CRITERIA)
         with closing(self._opened()) as store:
             yield from store.execute(
-                f"SELECT {keys}, COUNT(*), SUM(status = 'done'), SUM(status = 'failed'), {sums}"
+                f"SELECT {keys}, COUNT(*), SUM(result = 'done'), SUM(result = 'failed'), {sums}"
                 f" FROM {SCALED} GROUP BY {keys}",
                 {"limit": limit * (1 + 1e-12)})  # what is compared has been rounded
 

@@ -109,10 +109,11 @@ void BoundaryRounds::learn() {
   const std::string met = sweep_.boundary->criterion == BoundaryRequest::Criterion::arrest
                               ? "arrest_met = 1"
                               : "separation_hits > 0";
-  Statement query = database_.statement(
-      fmt::format("SELECT run, point, replica, status = 'done', coalesce({}, 0), \"{}\" FROM run "
-                  "WHERE run >= ? ORDER BY run",
-                  met, sweep_.axes.back().path()));
+  Statement query =
+      database_.statement(fmt::format("SELECT run, point, replica, status = 'done' AND ended_by IS "
+                                      "NOT 'wall time', coalesce({}, 0), \"{}\" FROM run "
+                                      "WHERE run >= ? ORDER BY run",
+                                      met, sweep_.axes.back().path()));
   query.start(std::array<Cell, 1>{next_run_});
   const auto integer = [&](int column) { return integer_in(query.cell(column), database_.name()); };
   while (query.step()) {

@@ -57,6 +57,18 @@ def test_what_is_not_done_is_counted_apart(tmp_path):
     assert (counts.done[2, 1], counts.pending[2, 1]) == (0, 10)
 
 
+def test_run_that_its_wall_time_ended_is_no_result(tmp_path):
+    path = write_store(tmp_path / "s.sqlite", AXES, graded)
+    with sqlite3.connect(path) as store:
+        store.execute("UPDATE run SET ended_by = 'wall time' WHERE run IN (0, 1)")
+    store.close()
+    ensemble = Ensemble(path)
+    counts = ensemble.counts()
+    assert (counts.done[0, 0], counts.failed[0, 0], counts.met["arrest"][0, 0]) == (9, 1, 9)
+    assert counts.pending.sum() == 0
+    assert len(ensemble.searched(0, "system.restitution", "arrest")[0]) == 9
+
+
 def test_tables_and_figures_are_written(tmp_path):
     store = write_store(tmp_path / "s.sqlite", AXES | {
         "system.solids_volume_fraction": (0.2, 0.4)}, graded)

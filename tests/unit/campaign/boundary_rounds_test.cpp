@@ -166,6 +166,19 @@ TEST_F(BoundaryRoundsTest, ShareNoStoreWithAGridOrAnotherCriterion) {
       open(parse_sweep(replaced(small_search, "resolution = 0.1", "resolution = 0.05"), "s.toml")));
 }
 
+TEST_F(BoundaryRoundsTest, LearnNothingFromARunThatItsWallTimeEnded) {
+  const Sweep sweep = parse_sweep(small_search, "s.toml");
+  open(sweep);
+  Database database(path(), Database::Access::write);
+  BoundaryRounds rounds(database, sweep);
+  rounds.place_next();
+  end_runs();
+  database.execute("UPDATE run SET ended_by = 'wall time' WHERE run < 3");
+  rounds.place_next();
+  EXPECT_EQ(value("SELECT failed FROM boundary WHERE point = 0"), Cell(std::int64_t{3}));
+  EXPECT_EQ(value("SELECT failed FROM boundary WHERE point = 1"), Cell(std::int64_t{0}));
+}
+
 TEST_F(BoundaryRoundsTest, KeepTheirPointsSinceRowsAreKnownByTheirNumber) {
   open(parse_sweep(small_search, "s.toml"));
   for (const char* values : {"[0.2, 0.25, 0.3]", "[0.3, 0.2]", "[0.2, 0.3, 0.4]", "[0.2]"}) {
