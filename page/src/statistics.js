@@ -37,8 +37,13 @@ export function runsByPoint(runs) {
   return found;
 }
 
-/** The share of a question among those of some runs that are done. */
+/** Whether a run came to a result: done, and not ended by the wall time that it was given. */
+export function hasResult(runs, n) {
+  return runs.status[n] === "done" && runs.outcome[n] !== "interrupted";
+}
+
+/** The share of a question among those of some runs that have a result. */
 export function share(runs, numbers, question) {
-  const done = numbers.filter((n) => runs.status[n] === "done");
+  const done = numbers.filter((n) => hasResult(runs, n));
   return wilson(done.filter((n) => QUESTIONS[question].happens(runs, n)).length, done.length);
 }

@@ -3,7 +3,7 @@ import { diagram, told } from "./diagram.js";
 import { download, element, section, table } from "./dom.js";
 import { DASH, grouped, short } from "./format.js";
 import { licencesSection } from "./provenance.js";
-import { QUESTIONS, runsByPoint, share } from "./statistics.js";
+import { hasResult, QUESTIONS, runsByPoint, share } from "./statistics.js";
 
 /** Whether a value of an axis is the one of a column, where lists and true or false are text. */
 const isSame = (value, stored) =>
@@ -32,9 +32,10 @@ function header(sweep) {
   const { status } = sweep.runs,
     of = (word) => status.filter((one) => one === word).length;
   const axes = sweep.axes.map(({ key, values }) => `${key} (${values.length})`).join(" \u00d7 ");
-  const open = of("pending") + of("failed");
+  const cut = status.filter((one, n) => one === "done" && !hasResult(sweep.runs, n)).length;
+  const open = of("pending") + of("failed") + cut;
   const rest = open
-    ? `, ${grouped(of("pending"))} still to be done, ${grouped(of("failed"))} failed`
+    ? `, ${grouped(of("pending"))} still to be done, ${grouped(of("failed") + cut)} failed`
     : "";
   return element(
     "header",

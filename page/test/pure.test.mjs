@@ -219,15 +219,16 @@ describe("a sweep", () => {
     assert.deepEqual([wilson(0, 0).low, wilson(0, 0).high], [0, 1]);
   });
 
-  test("counts runs that are done only, and false positives as hits without arrest", () => {
+  test("counts runs with a result only, and false positives as hits without arrest", () => {
     const runs = {
-      status: ["done", "done", "done", "failed", "pending"],
-      separation_hits: [5, 9, 0, null, null],
-      arrest_met: [1, 0, 0, null, null],
+      status: ["done", "done", "done", "failed", "pending", "done"],
+      outcome: ["collapsed", "finished", "finished", null, null, "interrupted"],
+      separation_hits: [5, 9, 0, null, null, 3],
+      arrest_met: [1, 0, 0, null, null, 0],
     };
     const counted = (question) => [
-      share(runs, [0, 1, 2, 3, 4], question).hits,
-      share(runs, [0, 1, 2, 3, 4], question).runs,
+      share(runs, [0, 1, 2, 3, 4, 5], question).hits,
+      share(runs, [0, 1, 2, 3, 4, 5], question).runs,
     ];
     assert.deepEqual(counted("hit"), [2, 3]);
     assert.deepEqual(counted("arrest"), [1, 3]);
