@@ -49,6 +49,9 @@ class Slice:
 def chosen_parts(ensemble, x=None, y=None):
     """Which axis is what. Raises InputError for a key that is no axis, or no number."""
     axes = ensemble.axes
+    if x is not None and x == y:
+        raise InputError(f"{ensemble.path}: --x and --y are both {x} (a figure needs two axes);"
+                         " choose another key or leave one out")
     named = [_position(ensemble, key) for key in (x, y) if key is not None]
     free = [place for place, axis in enumerate(axes)
             if axis.is_numeric and len(axis.values) > 1 and place not in named]

@@ -137,6 +137,12 @@ def test_axis_that_is_none_is_refused_with_those_there_are(tmp_path):
         chosen_parts(ensemble, x="system.size")
 
 
+def test_one_axis_cannot_be_both_x_and_y(tmp_path):
+    ensemble = Ensemble(write_store(tmp_path / "s.sqlite", AXES, graded))
+    with pytest.raises(InputError, match="both system.spheres"):
+        chosen_parts(ensemble, "system.spheres", "system.spheres")
+
+
 def test_what_is_no_store_is_refused(tmp_path, capsys):
     (tmp_path / "text").write_text("hello")
     with sqlite3.connect(tmp_path / "other") as other:
