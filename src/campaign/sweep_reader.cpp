@@ -119,6 +119,16 @@ CaseDraft base_of(const Told& told, const std::string& text, const std::string& 
   return {case_format::entries_of(case_text(file), file), file};
 }
 
+/// Names of start files are those from the folder of the base case, wherever the store is.
+void make_files_absolute(std::vector<SweepAxis>& axes, const std::string& base) {
+  for (SweepAxis& axis : axes) {
+    if (axis.path() != "start.file") continue;
+    for (AxisValue& value : axis.values) {
+      if (auto* file = std::get_if<std::string>(&value.value)) *file = absolute_from(base, *file);
+    }
+  }
+}
+
 /// The base case as a text that stands for itself: no comments, no seed, no key of an axis, and
 /// absolute names of files.
 std::string base_text_of(const CaseDraft& base, const std::vector<SweepAxis>& axes) {
@@ -157,6 +167,7 @@ Sweep parse_sweep(std::string text, const std::string& name) {
   check_whole(told, name, problems);
   problems.throw_if_any();
   CaseDraft base = base_of(told, text, name);
+  make_files_absolute(told.axes, base.name());
   std::string base_text = base_text_of(base, told.axes);
   Sweep sweep{.name = name,
               .text = std::move(text),

@@ -80,6 +80,17 @@ TEST(SweepFile, NamesItsBaseCaseRelativeToItself) {
             (folder.path / "start.xyz").string());
 }
 
+TEST(SweepFile, StartFilesOfAnAxisAreFromTheFolderOfTheBaseCase) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "base.toml")
+      << "[system]\ndimension = 1\nspheres = 3\nsides = [9]\nrestitution = 0.5\n[start]\n"
+         "arrangement = \"file\"\n[drive]\nkind = \"none\"\n[run]\ntime = 1\n";
+  std::ofstream(folder.path / "s.toml")
+      << "[sweep]\ncase = \"base.toml\"\nseeds = 1\n[axes]\n\"start.file\" = [\"a.xyz\"]\n";
+  const Sweep sweep = read_sweep(folder.path / "s.toml");
+  EXPECT_EQ(column_text(sweep.axes[0].values[0].value), (folder.path / "a.xyz").string());
+}
+
 TEST(SweepFile, ProblemsOfValuesStandWhereTheValuesStand) {
   EXPECT_EQ(refusal("[0.2, 0.9]", "[0.2, 1.5]"),
             "s.toml:5:30: system.restitution = 1.5 (must be in [0, 1]; 1 is elastic)");
