@@ -41,14 +41,19 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
+/// A number of any kind; an integer beyond 2^53, which no key takes, becomes the double nearest.
+double number_in(const toml::node& node) {
+  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+  return node.as_floating_point()->get();
+}
+
 /// The numbers of an array, or nothing if something else is in it.
 std::optional<std::vector<double>> numbers_of(const toml::array& array) {
   std::vector<double> numbers;
   numbers.reserve(array.size());
   for (const toml::node& node : array) {
-    const auto number = node.value<double>();
-    if (!node.is_number() || !number) return std::nullopt;
-    numbers.push_back(*number);
+    if (!node.is_number()) return std::nullopt;
+    numbers.push_back(number_in(node));
   }
   return numbers;
 }
@@ -58,7 +63,7 @@ Array::Item item_of(const toml::node& node) {
     if (auto numbers = numbers_of(*array)) return *std::move(numbers);
     return "an array with more than numbers in it";
   }
-  if (node.is_number()) return node.value<double>().value();
+  if (node.is_number()) return number_in(node);
   return kind_of(value_of(node));
 }
 

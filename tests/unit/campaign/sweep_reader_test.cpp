@@ -91,6 +91,11 @@ TEST(SweepFile, StartFilesOfAnAxisAreFromTheFolderOfTheBaseCase) {
   EXPECT_EQ(column_text(sweep.axes[0].values[0].value), (folder.path / "a.xyz").string());
 }
 
+TEST(SweepFile, IntegersThatNoDoubleHoldsAreOutOfRangeToo) {
+  EXPECT_NE(refusal("[0.2, 0.9]", "[0.2, 9007199254740993]").find("(must be in [0, 1]"),
+            std::string::npos);
+}
+
 TEST(SweepFile, ProblemsOfValuesStandWhereTheValuesStand) {
   EXPECT_EQ(refusal("[0.2, 0.9]", "[0.2, 1.5]"),
             "s.toml:5:30: system.restitution = 1.5 (must be in [0, 1]; 1 is elastic)");
