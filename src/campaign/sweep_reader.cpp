@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
@@ -79,6 +80,12 @@ void read_node(const TreeNode& node, Told& told, Problems& problems) {
   }
 }
 
+/// Whether the key is there, whatever its value.
+bool has_seeds(const Told& told) {
+  const auto is_it = [](const TreeNode& node) { return node.name == "seeds"; };
+  return told.sweep && std::any_of(told.sweep->children.begin(), told.sweep->children.end(), is_it);
+}
+
 /// What must be there, and how much of it.
 void check_whole(const Told& told, const std::string& name, Problems& problems) {
   const auto absent = case_format::Place::absent(name);
@@ -93,7 +100,7 @@ void check_whole(const Told& told, const std::string& name, Problems& problems) 
     problems.add(told.boundary->key_place,
                  "boundary (a search decides how many runs it needs); remove sweep.seeds");
   }
-  if (told.seeds == 0 && !told.boundary) {
+  if (!has_seeds(told) && !told.boundary) {
     problems.add(absent,
                  "missing key sweep.seeds (runs at each point of the grid); add seeds = 10 "
                  "under [sweep]");

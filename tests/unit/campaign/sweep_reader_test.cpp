@@ -103,6 +103,12 @@ TEST(SweepFile, ProblemsOfValuesStandWhereTheValuesStand) {
             "s.toml:5:30: system.restitution = \"high\" (found text, needs a real number)");
 }
 
+TEST(SweepFile, SeedsThatAreWrongAreNotMissing) {
+  const std::string told = refusal("seeds = 2", "seeds = -2");
+  EXPECT_NE(told.find("sweep.seeds = -2 (must be in"), std::string::npos);
+  EXPECT_EQ(told.find("missing"), std::string::npos);
+}
+
 TEST(SweepFile, TellsAllProblemsAtOnceInTheOrderOfTheFile) {
   EXPECT_EQ(
       refusal("[sweep]\nseed = 1\n[axis]\nx = 1\n[stop]\nwall_seconds = -1\n"),
