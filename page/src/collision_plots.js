@@ -146,8 +146,7 @@ function flightPlot(run, take) {
       },
       text: (view, n) => {
         if (view.flightHigh[n] === 0) return "the clock does not move";
-        const mean = view.stretch.width > 1 ? " (means of bins)" : "";
-        return `${extremes(view.flightLow[n], view.flightHigh[n], 4)}${mean}`;
+        return extremes(view.flightLow[n], view.flightHigh[n], 4);
       },
       range: ({ high }) => [floor / 3, positiveRange(high)[1] * 3],
       paint(plot, ctx) {

@@ -16,6 +16,8 @@ export class Stretch {
     const single = about.width === 1;
     this.gapHigh = single ? this.gapLow : read("gap_high");
     this.speedHigh = single ? this.speedLow : read("speed_high");
+    this.flightLow = single ? null : read("flight_low");
+    this.flightHigh = single ? null : read("flight_high");
     this.hits = single ? null : read("hits");
     this.i = single ? read("i") : null;
     this.j = single ? read("j") : null;
@@ -68,12 +70,11 @@ function merged(stretch, begin, end, group) {
   return view;
 }
 
-/** Time per collision of a bin, of one row as it is; NaN where it is not known when it began. */
-function flightOf({ width, k, time, size, last }, bin) {
-  if (bin === 0) return NaN;
-  const next = bin + 1 < size ? k[bin + 1] : last + 1;
-  const collisions = width === 1 ? k[bin] - k[bin - 1] : next - k[bin];
-  return (time[bin] - time[bin - 1]) / collisions;
+/** Shortest and longest time per collision in a bin; NaN where it is not known when it began. */
+function flightsOf({ width, time, flightLow, flightHigh }, bin) {
+  if (width > 1) return [flightLow[bin], flightHigh[bin]];
+  const flight = bin === 0 ? NaN : time[bin] - time[bin - 1];
+  return [flight, flight];
 }
 
 function fill(view, n, first, end) {
@@ -85,9 +86,9 @@ function fill(view, n, first, end) {
     gapHigh = higher(gapHigh, stretch.gapHigh[bin]);
     speedLow = lower(speedLow, stretch.speedLow[bin]);
     speedHigh = higher(speedHigh, stretch.speedHigh[bin]);
-    const flight = flightOf(stretch, bin);
-    flightLow = lower(flightLow, flight);
-    flightHigh = higher(flightHigh, flight);
+    const [shortest, longest] = flightsOf(stretch, bin);
+    flightLow = lower(flightLow, shortest);
+    flightHigh = higher(flightHigh, longest);
     hits += stretch.hitsIn(bin);
     flags |= stretch.flags[bin];
   }
@@ -124,8 +125,7 @@ export class Log {
 
   /**
    * Collisions `first` to `last` in at most about `most` entries: extremes of gap, speed and time
-   * per collision (of the means of bins where those hold several), the time after each entry, its
-   * hits and flags.
+   * per collision, the time after each entry, its hits and flags.
    */
   view(first, last, most) {
     if (this.isEmpty) return null;

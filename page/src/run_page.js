@@ -157,8 +157,7 @@ function thinningNote(run) {
   const part = run.log_complete ? "" : " The log holds a part of the run only.";
   if (all.width === 1) return `Every logged collision is in this page.${part}`;
   return (
-    `A dash reaches from the smallest to the largest value of ${all.width} or more collisions ` +
-    "(of the time per collision: their means); " +
+    `A dash reaches from the smallest to the largest value of ${all.width} or more collisions; ` +
     `near hits and arrest every collision is in this page.${part}`
   );
 }

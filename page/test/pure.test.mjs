@@ -38,6 +38,8 @@ function stretch(first, rows, width, odd) {
     gap_high: [],
     speed_low: [],
     speed_high: [],
+    flight_low: [],
+    flight_high: [],
     flags: [],
     hits: [],
     i: [],
@@ -54,6 +56,8 @@ function stretch(first, rows, width, odd) {
       gap_high: Math.max(...gaps),
       speed_low: 1,
       speed_high: 1,
+      flight_low: bin === 70 ? 0 : 1,
+      flight_high: bin === 70 ? 3 : 1,
       flags: gaps.some((gap) => gap < 1e-16) ? 1 : 0,
       hits: gaps.filter((gap) => gap < 1e-16).length,
       i: 1,
@@ -99,6 +103,12 @@ describe("a log", () => {
   test("tells the extremes of the time per collision", () => {
     const view = log.view(770, 790, 100);
     assert.ok([...view.flightLow, ...view.flightHigh].every((flight) => flight === 1));
+  });
+
+  test("keeps the extremes of the time per collision within its bins", () => {
+    const view = log.view(1, 10007, 7);
+    assert.equal(Math.min(...view.flightLow), 0);
+    assert.equal(Math.max(...view.flightHigh), 3);
   });
 
   test("loses no collision at which the clock stands still among others", () => {

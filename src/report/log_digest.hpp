@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "io/records.hpp"
@@ -19,6 +20,8 @@ struct LogStretch {
   std::vector<double> gap_high;     ///< largest, likewise
   std::vector<double> speed_low;    ///< smallest closing speed, diameters/time
   std::vector<double> speed_high;   ///< largest
+  std::vector<double> flight_low;   ///< shortest time from one collision to the next; NaN: unknown
+  std::vector<double> flight_high;  ///< longest
   std::vector<std::int32_t> hits;   ///< collisions with flag 1
   std::vector<std::uint8_t> flags;  ///< which flags occur (docs/file-format.md)
   std::vector<std::int32_t> i, j;   ///< the pair; empty where a bin holds more than one row
@@ -47,6 +50,7 @@ class LogDigest {
 
   LogStretch stretch_;
   std::int64_t in_bin_ = 0;
+  std::optional<CollisionRow> before_;
 };
 
 /// Keeps every row about one collision of a log that is too long to be kept.

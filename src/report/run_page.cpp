@@ -125,6 +125,8 @@ void add_stretch(PageWriter& page, const std::string& name, const LogStretch& st
   } else {
     page.add_column(name + ".gap_high", stretch.gap_high);
     page.add_column(name + ".speed_high", stretch.speed_high);
+    page.add_column(name + ".flight_low", stretch.flight_low);
+    page.add_column(name + ".flight_high", stretch.flight_high);
     page.add_column(name + ".hits", stretch.hits);
   }
 }

@@ -42,7 +42,9 @@ TEST(LogDigest, LongLogKeepsEveryExtremeAndCountsEveryHit) {
   for (std::int64_t k = 1; k <= rows; ++k) {
     const double gap = k == 40000 ? 1e-17 : k == 50000 ? 7.0 : k == 60000 ? unknown : 1e-3;
     const double speed = k == 30000 ? 1e-15 : k == 30001 ? 99.0 : 1.0;
-    digest.observe(row(k, gap, speed, k == 40000 ? collision_flag::hit : std::uint8_t{0}));
+    CollisionRow next = row(k, gap, speed, k == 40000 ? collision_flag::hit : std::uint8_t{0});
+    if (k == 45000) next.time -= 0.5;  // the clock stands still, and then leaps
+    digest.observe(next);
   }
   const LogStretch& all = digest.stretch();
   EXPECT_EQ(all.width, 3);
@@ -52,6 +54,8 @@ TEST(LogDigest, LongLogKeepsEveryExtremeAndCountsEveryHit) {
   EXPECT_EQ(std::ranges::max(all.gap_high), 7.0);
   EXPECT_EQ(std::ranges::min(all.speed_low), 1e-15);
   EXPECT_EQ(std::ranges::max(all.speed_high), 99.0);
+  EXPECT_EQ(std::ranges::min(all.flight_low), 0.0);
+  EXPECT_EQ(std::ranges::max(all.flight_high), 1.0);
   EXPECT_EQ(std::accumulate(all.hits.begin(), all.hits.end(), 0), 1);
   EXPECT_EQ(all.time.back(), 0.5 * static_cast<double>(rows));
   EXPECT_TRUE(all.i.empty());
