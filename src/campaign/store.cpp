@@ -7,6 +7,7 @@
 #include "campaign/grid_rows.hpp"
 #include "campaign/run_columns.hpp"
 #include "io/build_info.hpp"
+#include "model/errors.hpp"
 
 namespace zenosphere {
 
@@ -147,6 +148,18 @@ void SweepStore::record(const RunResult& result) {
   for (const ResultColumn& column : result_columns()) cells_.push_back(column.cell(summary));
   cells_.emplace_back(result.run);
   done_->run(cells_);
+}
+
+SweepStore::~SweepStore() {
+  transaction_.reset();
+  runs_.reset();
+  done_.reset();
+  failed_.reset();
+  try {  // a log that stays is read as well as before, in folders where its index can be made
+    database_.execute("PRAGMA busy_timeout = 0");
+    database_.execute("PRAGMA journal_mode = DELETE");
+  } catch (const OutputError&) {
+  }
 }
 
 void SweepStore::commit() {

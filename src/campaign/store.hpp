@@ -60,6 +60,9 @@ class SweepStore {
   /// Throws InputError where it holds another sweep, OutputError where it cannot be used.
   SweepStore(const std::filesystem::path& path, const Sweep& sweep);
 
+  /// Leaves one file that can be read anywhere, unless another program is reading it.
+  ~SweepStore();
+
   /// The rounds of a search; the store and the sweep must outlive them.
   BoundaryRounds rounds(const Sweep& sweep) { return {database_, sweep}; }
 
