@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from zenosphere.proportions import wilson_interval
+
 DROP_95 = 1.9207  # half of the 95 % point of chi squared with one degree of freedom, 3.8415
 NODES = 201  # places at which the profile is known; between them it is interpolated
 STEEPEST = 50  # over the least distance of two x: 1e-11 is left of P = 1/2 at the next x
@@ -52,7 +54,7 @@ def crossing(x, successes, trials):
     if len(x) < 2:
         return Crossing(None, None, None, "nothing")
     if (successes == 0).all() or (successes == trials).all():
-        return Crossing(None, None, None, "below" if successes[0] == 0 else "above")
+        return Crossing(None, None, None, _side(successes, trials))
     return _separated(x, successes, trials) or _fitted(x, successes, trials)
 
 
@@ -91,10 +93,11 @@ def _profile(x, successes, trials):
 
 
 def _side(successes, trials):
-    """Below or above one half everywhere, if every count alone says so."""
-    if (2 * successes < trials).all():
+    """Below or above one half everywhere, if each count is and all together are beyond doubt."""
+    low, high = wilson_interval(successes.sum(), trials.sum())
+    if (2 * successes < trials).all() and high < 0.5:
         return "below"
-    return "above" if (2 * successes > trials).all() else "unclear"
+    return "above" if (2 * successes > trials).all() and low > 0.5 else "unclear"
 
 
 def _interval(places, height):

@@ -62,6 +62,11 @@ def test_no_crossing_in_the_range_is_said(hits, how):
     assert (found.place, found.how) == (None, how)
 
 
+def test_a_few_single_runs_do_not_settle_the_side():
+    assert crossing([1, 2], [0, 0], [1, 1]).how == "unclear"
+    assert crossing([1, 2], [0, 0], [3, 3]).how == "below"
+
+
 def test_crossing_near_the_end_has_an_open_interval():
     found = crossing(E, [6, 1, 0, 0, 0, 0, 0], [10] * 7)
     assert found.low is None and 0.1 < found.place < found.high
