@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "campaign/work.hpp"
+#include "campaign/run_task.hpp"
 
 namespace zenosphere {
 

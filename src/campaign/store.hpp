@@ -9,10 +9,10 @@
 
 #include "campaign/boundary_rounds.hpp"
 #include "campaign/database.hpp"
+#include "campaign/run_task.hpp"
 #include "campaign/store_lock.hpp"
 #include "campaign/stored_sweep.hpp"
 #include "campaign/sweep.hpp"
-#include "campaign/work.hpp"
 #include "run/stopwatch.hpp"
 
 namespace zenosphere {

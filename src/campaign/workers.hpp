@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "campaign/work.hpp"
+#include "campaign/run_task.hpp"
 
 namespace zenosphere {
 

@@ -1,4 +1,4 @@
-#include "campaign/work.hpp"
+#include "campaign/run_task.hpp"
 
 #include <atomic>
 #include <exception>
