@@ -6,20 +6,13 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "io/case_words.hpp"
+#include "io/json.hpp"
 #include "model/real.hpp"
 
 namespace zenosphere {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <class T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json json_of(const Trial& trial) {
   return {{"precision", word(trial.precision)},

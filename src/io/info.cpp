@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "io/json.hpp"
 #include "io/printable.hpp"
 #include "io/summary.hpp"
 
 namespace zenosphere {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// What the run came to: in the end, or until its last checkpoint.
 std::optional<Summary> summary_in(const OutputInfo& info) {

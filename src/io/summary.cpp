@@ -4,19 +4,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <nlohmann/json.hpp>
+
+#include "io/json.hpp"
 
 namespace zenosphere {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-// A number that is not finite becomes null in nlohmann's dump: JSON has no other way to say so.
-
-template <class T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 /// D arrays of D.
 Json matrix(const std::vector<double>& values, int dimension) {

@@ -1,18 +1,10 @@
 #include "report/run_json.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "io/info.hpp"
+#include "io/json.hpp"
 
 namespace zenosphere {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <class T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
 
 Json json_of(const std::optional<DecayRate>& rate) {
   if (!rate) return {};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,11 +11,10 @@
 #include "campaign/run_case.hpp"
 #include "campaign/store.hpp"
 #include "io/case_file.hpp"
+#include "io/json.hpp"
 
 namespace zenosphere {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Columns of the table `run` that the page shows.
 constexpr std::array<std::string_view, 17> columns{"run",
