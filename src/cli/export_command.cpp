@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
 #include "export/export_run.hpp"
 #include "io/printable.hpp"
 
@@ -32,6 +33,7 @@ struct Arguments {
 };
 
 int export_output(const Arguments& arguments) {
+  require_name(arguments.target);
   const Export request{.run = arguments.file,
                        .target = arguments.target,
                        .format = formats.at(arguments.format),

@@ -6,8 +6,8 @@
 #include "campaign/database.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
+#include "cli/outputs.hpp"
 #include "io/journal.hpp"
-#include "model/errors.hpp"
 #include "report/run_page.hpp"
 #include "report/sweep_page.hpp"
 
@@ -23,13 +23,9 @@ struct Arguments {
 };
 
 int report(const Arguments& arguments) {
-  if (arguments.page.empty()) {
-    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
-  }
-  std::error_code ignored;  // what does not exist is not the run
-  if (std::filesystem::equivalent(arguments.page, arguments.file, ignored) ||
-      std::filesystem::equivalent(arguments.page, journal_of(arguments.file), ignored)) {
-    throw OutputError(arguments.page + ": is what it is to show; choose another name");
+  require_name(arguments.page);
+  for (const auto& shown : {std::filesystem::path(arguments.file), journal_of(arguments.file)}) {
+    require_other_than(shown, arguments.page, "what it is to show");
   }
   const auto existing = arguments.overwrite ? ExistingPage::replace : ExistingPage::refuse;
   const bool is_sweep = is_database(arguments.file);

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,10 +10,10 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
 #include "cli/progress_line.hpp"
 #include "io/case_file.hpp"
 #include "io/recovery.hpp"
-#include "model/errors.hpp"
 #include "run/resume.hpp"
 #include "run/run.hpp"
 
@@ -54,18 +53,6 @@ int exit_code_of(const Summary& summary, const Arguments& arguments) {
   return exit_code::done;
 }
 
-/// Throws where the output cannot be meant as it was typed.
-void check_output(const Arguments& arguments) {
-  if (!arguments.output) return;
-  if (arguments.output->empty()) {
-    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
-  }
-  std::error_code ignored;  // what does not exist is not the case file
-  if (std::filesystem::equivalent(*arguments.output, arguments.file, ignored)) {
-    throw OutputError(*arguments.output + ": is the case file itself; choose another name");
-  }
-}
-
 /// Prints what came out and returns the exit code.
 int report(const Summary& summary, const Case& values, const Arguments& arguments) {
   if (!arguments.quiet && is_terminal()) clear_line();
@@ -78,7 +65,10 @@ int report(const Summary& summary, const Case& values, const Arguments& argument
 }
 
 int run(const Arguments& arguments) {
-  check_output(arguments);
+  if (arguments.output) {
+    require_name(*arguments.output);
+    require_other_than(arguments.file, *arguments.output, "the case file itself");
+  }
   const Case values = read_case(arguments.file, arguments.overrides);
   if (!arguments.quiet && !arguments.output) {
     fmt::print(stderr, "{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",

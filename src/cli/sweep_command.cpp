@@ -17,6 +17,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
 #include "cli/search_text.hpp"
 #include "cli/sweep_text.hpp"
 #include "io/build_info.hpp"
@@ -135,9 +136,7 @@ int sweep(const Arguments& arguments) {
   if (arguments.file.empty()) {
     throw InputError("sweep: which one? (no file is named); write zenosphere sweep SWEEP.toml");
   }
-  if (arguments.store && arguments.store->empty()) {
-    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
-  }
+  if (arguments.store) require_name(*arguments.store);
   return launched_ranks() > 1 ? sweep_in_ranks(arguments) : sweep_in_threads(arguments);
 }
 

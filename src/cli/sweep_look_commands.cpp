@@ -3,12 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 
 #include "campaign/csv.hpp"
 #include "campaign/show.hpp"
@@ -16,6 +14,7 @@
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/outputs.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -34,20 +33,11 @@ int show(const Arguments& arguments) {
   return exit_code::done;
 }
 
-/// Throws where the output cannot be meant as it was typed.
-void check_output(const Arguments& arguments) {
-  if (!arguments.output) return;
-  if (arguments.output->empty()) {
-    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
-  }
-  std::error_code ignored;  // what does not exist is not the store
-  if (std::filesystem::equivalent(*arguments.output, arguments.file, ignored)) {
-    throw OutputError(*arguments.output + ": is the store itself; choose another name");
-  }
-}
-
 int csv(const Arguments& arguments) {
-  check_output(arguments);
+  if (arguments.output) {
+    require_name(*arguments.output);
+    require_other_than(arguments.file, *arguments.output, "the store itself");
+  }
   Database database(arguments.file, Database::Access::read);
   stored_sweep(database);
   if (!arguments.output) {

@@ -203,9 +203,6 @@ class Exporter {
 
 /// Throws where the target is what is read, or has a name that says something else.
 void require_fitting_target(const Export& request) {
-  if (request.target.empty()) {
-    throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
-  }
   const auto identity = identity_of(request.target);
   if (identity &&
       (identity == identity_of(request.run) || identity == identity_of(journal_of(request.run)))) {
