@@ -14,9 +14,6 @@ namespace zenosphere {
 /// What to do with a page that is there already.
 enum class ExistingPage { refuse, replace };
 
-/// A text in base64, RFC 4648.
-std::string base64(std::span<const std::uint8_t> bytes);
-
 /// A JSON text that may stand in an HTML script: no `<` is left in it.
 std::string as_script(std::string_view json);
 
