@@ -1,10 +1,10 @@
 #include "export/extended_xyz_frame.hpp"
 
-#include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string>
+
+#include "export/sphere_lines.hpp"
 
 namespace zenosphere {
 namespace {
@@ -27,20 +27,12 @@ std::string comment(const Frame& frame) {
 void append_extended_xyz(NewFile& file, const Frame& frame) {
   file.write(fmt::format("{}\n", frame.spheres()));
   file.write(comment(frame));
-  fmt::memory_buffer line;
-  for (std::int64_t i = 0; i < frame.spheres(); ++i) {
+  write_sphere_lines(file, frame, [&](fmt::appender line, std::int64_t i) {
     const auto [x, y, z] = frame.position(i);
     const auto [vx, vy, vz] = frame.velocity(i);
-    line.clear();
-    fmt::format_to(fmt::appender(line), FMT_COMPILE("X {} {} {} {} {} {} {} {}"), i, x, y, z, vx,
-                   vy, vz, sphere_radius);
-    if (!frame.collisions.empty()) {
-      fmt::format_to(fmt::appender(line), FMT_COMPILE(" {}"),
-                     frame.collisions[static_cast<std::size_t>(i)]);
-    }
-    line.push_back('\n');
-    file.write({line.data(), line.size()});
-  }
+    fmt::format_to(line, FMT_COMPILE("X {} {} {} {} {} {} {} {}"), i, x, y, z, vx, vy, vz,
+                   sphere_radius);
+  });
 }
 
 }  // namespace zenosphere
