@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "support/few_balls.hpp"
 #include "support/run_text.hpp"
 
 namespace zenosphere {
@@ -12,28 +13,8 @@ namespace {
 
 using Chain = std::vector<std::int64_t>;
 
-const std::string kRods = R"(
-[system]
-dimension = 1
-spheres = 3
-restitution = 0.05
-sides = [100]
-[start]
-arrangement = "given"
-positions = [10, 11, 13]
-velocities = [1, 0, 0.125]
-[drive]
-kind = "none"
-[collapse]
-window = 10
-[run]
-time = 10
-)";
-
-// From the first collision on each one scales the relative speed by 0.4, the gap by 0.125 and the
-// flight by 0.3125, and the series ends at 40/11.
 TEST(AnatomyOfThreeRods, FindsTheExactFactorsAndTheCollapseTime) {
-  const auto hit = test::run_text(kRods).anatomy.hit.value();
+  const auto hit = test::run_text(test::three_rods_case).anatomy.hit.value();
   EXPECT_EQ(hit.spheres, 3);
   EXPECT_EQ(hit.contacts, 2);
   EXPECT_EQ(hit.chain, (Chain{0, 1, 2}));
@@ -51,8 +32,8 @@ TEST(AnatomyOfThreeRods, FindsTheExactFactorsAndTheCollapseTime) {
 
 TEST(AnatomyOfThreeRods, IsTheSameInEveryPrecision) {
   for (const std::string precision : {"extended", "quad", "digits100"}) {
-    const auto hit =
-        test::run_text(kRods, {"collision.precision=" + precision}).anatomy.hit.value();
+    const auto hit = test::run_text(test::three_rods_case, {"collision.precision=" + precision})
+                         .anatomy.hit.value();
     EXPECT_EQ(hit.chain, (Chain{0, 1, 2})) << precision;
     EXPECT_NEAR(hit.gap_ratio.value(), 0.125, 1e-10) << precision;
     // A double: more digits cannot show in the summary.
@@ -63,11 +44,11 @@ TEST(AnatomyOfThreeRods, IsTheSameInEveryPrecision) {
 // A second triple, 30 diameters on and 1.001 times as fast, first meets at 0.003, with the last gap
 // 1 as well, and collapses at 0.003 + (40/11)/1.001 = 3.6357, a little before the first one.
 TEST(AnatomyOfTwoTriples, TellsThemApart) {
-  const auto hit =
-      test::run_text(
-          kRods, {"system.spheres=6", "start.positions=[10, 11, 13, 43, 44.003003, 46.002627625]",
-                  "start.velocities=[1, 0, 0.125, 1.001, 0, 0.125125]"})
-          .anatomy.hit.value();
+  const auto hit = test::run_text(test::three_rods_case,
+                                  {"system.spheres=6",
+                                   "start.positions=[10, 11, 13, 43, 44.003003, 46.002627625]",
+                                   "start.velocities=[1, 0, 0.125, 1.001, 0, 0.125125]"})
+                       .anatomy.hit.value();
   EXPECT_EQ(hit.clusters, 2);
   EXPECT_EQ(hit.chain, (Chain{3, 4, 5}));
   EXPECT_NEAR(hit.gap_ratio.value(), 0.125, 1e-6);
@@ -134,29 +115,7 @@ collisions = 100000
 }
 
 TEST(AnatomyOfABouncingBall, FindsTheRestitutionInItsArrest) {
-  const std::string ball = R"(
-[system]
-dimension = 1
-spheres = 1
-sides = [10]
-restitution = 1
-[start]
-arrangement = "given"
-positions = [1.0]
-velocities = [0]
-[drive]
-kind = "none"
-[walls]
-axis = "x"
-restitution = 0.5
-[gravity]
-acceleration = [-1]
-[collapse]
-window = 10
-[run]
-time = 4
-)";
-  const auto arrest = test::run_text(ball).anatomy.arrest.value();
+  const auto arrest = test::run_text(test::ball_on_a_floor_case).anatomy.arrest.value();
   EXPECT_EQ(arrest.spheres, 1);
   EXPECT_EQ(arrest.chain, Chain{0});
   EXPECT_NEAR(arrest.speed_ratio.value(), 0.5, 1e-9);
@@ -165,7 +124,7 @@ time = 4
 }
 
 TEST(AnatomyOfARunWithoutHits, IsEmpty) {
-  const Summary run = test::run_text(kRods, {"system.restitution=0.9"});
+  const Summary run = test::run_text(test::three_rods_case, {"system.restitution=0.9"});
   EXPECT_EQ(run.separation.hits, 0);
   EXPECT_FALSE(run.anatomy.hit);
   EXPECT_FALSE(run.anatomy.arrest);

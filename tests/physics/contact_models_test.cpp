@@ -7,32 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "support/few_balls.hpp"
 #include "support/run_text.hpp"
 
 namespace zenosphere {
 namespace {
 
-/// Three rods that collapse at the time 40/11, without a contact model.
-const std::string kThreeRods = R"(
-[system]
-dimension = 1
-spheres = 3
-restitution = 0.05
-sides = [100]
-[start]
-arrangement = "given"
-positions = [10, 11, 13]
-velocities = [1, 0, 0.125]
-[drive]
-kind = "none"
-[collapse]
-window = 10
-[run]
-collisions = 100000
-time = 30
-)";
+/// Three rods that would collapse at the time 40/11, and go on beyond it, with some keys changed.
+Summary three_rods(std::vector<std::string> changes = {}) {
+  changes.insert(changes.end(), {"run.collisions=100000", "run.time=30"});
+  return test::run_text(test::three_rods_case, changes);
+}
 
-/// The same three as disks on a line.
+/// The three rods as disks on a line.
 const std::string kThreeDisks = R"(
 [system]
 dimension = 2
@@ -78,10 +65,10 @@ const Changes kRotation{"collision.rotation_angle=0.1"};
 // become elastic after ln(2.5e6)/ln(3.2) = 13 of them; then the energy stays, and three elastic
 // rods part after two or three more.
 TEST(ContactDurationModel, EndsTheCollapseOfThreeRodsInEveryPrecision) {
-  EXPECT_GT(test::run_text(kThreeRods).separation.hits, 0);
+  EXPECT_GT(three_rods().separation.hits, 0);
   for (const std::string precision : {"double", "extended", "quad", "digits100"}) {
-    const Summary run = test::run_text(
-        kThreeRods, {"collision.contact_duration=1e-6", "collision.precision=" + precision});
+    const Summary run =
+        three_rods({"collision.contact_duration=1e-6", "collision.precision=" + precision});
     EXPECT_EQ(run.separation.hits, 0) << precision;
     EXPECT_EQ(run.time, 30) << precision;
     EXPECT_GT(run.contact.made_elastic, 0) << precision;
@@ -94,30 +81,9 @@ TEST(ContactDurationModel, EndsTheCollapseOfThreeRodsInEveryPrecision) {
 // A ball on a floor loses nothing in a flight shorter than t_c and bounces on at the speed G t_c/2
 // or more, where it would come to rest.
 TEST(ContactDurationModel, KeepsABallBouncingOnAFloor) {
-  const std::string ball = R"(
-[system]
-dimension = 1
-spheres = 1
-sides = [10]
-restitution = 1
-[start]
-arrangement = "given"
-positions = [1.0]
-velocities = [0]
-[drive]
-kind = "none"
-[walls]
-axis = "x"
-restitution = 0.5
-[gravity]
-acceleration = [-1]
-[collapse]
-window = 10
-[run]
-time = 4
-)";
-  EXPECT_EQ(test::run_text(ball).verdict, "true");  // at the time 3
-  const Summary run = test::run_text(ball, {"collision.contact_duration=1e-3"});
+  EXPECT_EQ(test::run_text(test::ball_on_a_floor_case).verdict, "true");  // at the time 3
+  const Summary run =
+      test::run_text(test::ball_on_a_floor_case, {"collision.contact_duration=1e-3"});
   EXPECT_FALSE(run.arrest.met);
   EXPECT_EQ(run.time, 4);
   // Flights halve from 1 to the first below 1e-3, 2^-10, and stay: a time of 1 + 1/1024 is left.
@@ -146,8 +112,8 @@ TEST(Rotation, FollowsTheSeedAndNothingElse) {
 
 // e = 0.05 at the speed 1 is A = 6.1 of the law; each collision is softer than the one before.
 TEST(ViscoelasticLaw, EndsTheCollapseOfThreeRods) {
-  const Summary run = test::run_text(
-      kThreeRods, {"collision.restitution_law=viscoelastic", "collision.viscoelastic_constant=1"});
+  const Summary run =
+      three_rods({"collision.restitution_law=viscoelastic", "collision.viscoelastic_constant=1"});
   EXPECT_EQ(run.separation.hits, 0);
   EXPECT_GT(run.contact.mean_restitution.value(), 0.3);
   EXPECT_LT(run.collisions, 6);

@@ -6,6 +6,7 @@
 #include "engine/simulation.hpp"
 #include "engine/start.hpp"
 #include "model/real.hpp"
+#include "support/few_balls.hpp"
 #include "support/run_text.hpp"
 
 namespace zenosphere {
@@ -67,25 +68,9 @@ TEST(Precision, MoreDigitsFollowTheThreeRodsFurtherDown) {
   // The separation criterion is met where gaps reach the rounding of the type: each collision takes
   // a factor 1/8, so that n collisions reach 8^-n: 8^-18 = 6e-17, 8^-38 = 5e-35, 8^-112 = 7e-102.
   const auto first_hit = [](const std::string& precision) {
-    const Summary run = test::run_text(R"(
-[system]
-dimension = 1
-spheres = 3
-restitution = 0.05
-sides = [100]
-[start]
-arrangement = "given"
-positions = [10, 11, 13]
-velocities = [1, 0, 0.125]
-[drive]
-kind = "none"
-[collapse]
-window = 20
-[run]
-collisions = 300
-time = 10
-)",
-                                       {"collision.precision=" + precision});
+    const Summary run = test::run_text(
+        test::three_rods_case,
+        {"collapse.window=20", "run.collisions=300", "collision.precision=" + precision});
     return static_cast<double>(*run.separation.first_collision);
   };
   EXPECT_NEAR(first_hit("double"), 19, 2);
