@@ -1,17 +1,9 @@
 // Pages of other runs in a real browser.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { assertQuiet, opened, pixels, startedBrowser, Workshop } from "./support.mjs";
+import { assertQuiet, equipped, opened, pixels } from "./support.mjs";
 
-const workshop = new Workshop();
-let browser;
-before(async () => {
-  browser = await startedBrowser();
-});
-after(async () => {
-  await browser?.close();
-  workshop.remove();
-});
+const workshop = equipped();
 
 describe("other pages", () => {
   test("one and two dimensions, walls, and runs without a log are shown", async () => {
@@ -25,7 +17,7 @@ describe("other pages", () => {
       ],
     ];
     for (const [name, source, changes] of cases) {
-      const { page, problems } = await opened(browser, workshop.page(name, source, changes));
+      const { page, problems } = await opened(workshop.browser, workshop.page(name, source, changes));
       const { green, other } = await pixels(page, ".stage canvas");
       assert.ok(green + other > 1000, `${name}: ${green + other} pixels`);
       assertQuiet(problems);
@@ -49,7 +41,7 @@ kind = "none"
 [run]
 collisions = 100
 `;
-    const { page, problems } = await opened(browser, workshop.page("<b>hostile<b>", hostile));
+    const { page, problems } = await opened(workshop.browser, workshop.page("<b>hostile<b>", hostile));
     assert.match(await page.title(), /hostile/);
     assert.equal(await page.locator("h1").textContent(), "<b>hostile<b>.h5");
     assert.match(await page.locator("#case").textContent(), /<\/script><script>document\.title/);

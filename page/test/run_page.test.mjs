@@ -2,19 +2,11 @@
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
-import { assertQuiet, drawn, opened, pixels, startedBrowser, Workshop } from "./support.mjs";
+import { assertQuiet, drawn, equipped, opened, pixels } from "./support.mjs";
 
 const PLOTS = ["gap", "time", "flight", "speed", "temperature", "pairs"];
 
-const workshop = new Workshop();
-let browser;
-before(async () => {
-  browser = await startedBrowser();
-});
-after(async () => {
-  await browser?.close();
-  workshop.remove();
-});
+const workshop = equipped();
 
 const ranges = (page) =>
   page
@@ -38,7 +30,7 @@ describe("the page of a true collapse", () => {
   let page, problems, file;
   before(async () => {
     file = workshop.page("collapse", "shear-e02");
-    ({ page, problems } = await opened(browser, file));
+    ({ page, problems } = await opened(workshop.browser, file));
   });
   after(() => assertQuiet(problems));
 
@@ -244,7 +236,7 @@ describe("the page of a false alarm", () => {
   let page, problems;
   before(async () => {
     const file = workshop.page("alarm", "shear-e06", { "run.collisions": 140000 });
-    ({ page, problems } = await opened(browser, file));
+    ({ page, problems } = await opened(workshop.browser, file));
   });
   after(() => assertQuiet(problems));
 

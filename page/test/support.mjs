@@ -5,6 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
+import { after, before } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
 const CHECKOUT = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
@@ -49,6 +50,19 @@ export async function startedBrowser() {
     executablePath: CHROMIUM,
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
   });
+}
+
+/** A workshop with a `browser`, both for the tests of one file. */
+export function equipped() {
+  const workshop = new Workshop();
+  before(async () => {
+    workshop.browser = await startedBrowser();
+  });
+  after(async () => {
+    await workshop.browser?.close();
+    workshop.remove();
+  });
+  return workshop;
 }
 
 /** A page that is open and drawn; `problems` collects what it complains of, and what it asks of a network. */

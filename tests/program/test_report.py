@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from conftest import Program
+from sweeps import SWEEP
 
 pytestmark = pytest.mark.skipif(os.environ.get("ZENOSPHERE_HAS_PAGE") == "OFF",
                                 reason="built without npm, and so without the page")
@@ -105,18 +106,6 @@ def test_nothing_from_the_file_can_end_its_script(program):
     assert found["run"]["case_text"].startswith("# </script><!-- <script> ")
     text = (program.folder / "page.html").read_text()
     assert text.count("</script><!--") == 0
-
-
-SWEEP = """\
-[sweep]
-case = "case.toml"
-seeds = 2
-master_seed = 3
-
-[axes]
-"system.restitution" = [0.2, 0.9]
-"collision.overlap" = ["rewind", "guarded"]
-"""
 
 
 def test_page_of_a_sweep_holds_its_rows_and_the_case_of_every_point(program):
