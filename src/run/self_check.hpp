@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -38,11 +39,13 @@ class SelfCheck {
   /// Looks at the whole state now: costs about as much as some hundred collisions a sphere.
   void look(const Simulation<Dim, Real>& simulation, const Measurements<Dim, Real>& measurements);
 
+  /// \throws ArchiveError for a finding in other letters than `note` writes
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     // The tolerances too: a run that goes on in more digits keeps the rounding of those before.
     archive(self.clock_rounding_, self.gathered_rounding_, self.momentum_at_start_,
             self.momentum_scale_, self.next_look_, self.violation_);
+    require_archived(!self.violation_ || is_plain(*self.violation_), "a finding that is no text");
   }
 
   /// What was found, for people, or nothing. The first finding stays.
@@ -50,6 +53,10 @@ class SelfCheck {
 
  private:
   using Vector = Vec<Dim, Real>;
+
+  static bool is_plain(const std::string& text) {  // for summaries and terminals alike
+    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  }
 
   void note(std::int64_t collision, const std::string& text);
   void note_disorder(const Collision<Dim, Real>& collision);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/archive.hpp"
@@ -68,6 +70,26 @@ TEST_F(SelfCheckTest, GoesOnFromAnArchiveWithTheMomentumOfTheStart) {
   resumed.look(simulation, measurements);
   ASSERT_TRUE(resumed.violation());
   EXPECT_NE(resumed.violation()->find("momentum along axis 2"), std::string::npos);
+}
+
+/// A check as an archive holds it that somebody has given a finding of his own.
+void read_with(const Simulation<3, double>& simulation, const std::string& finding) {
+  SelfCheck<3, double> check(simulation);
+  ArchiveWriter writer, forged;
+  writer(check);
+  Bytes bytes = writer.release();
+  bytes.pop_back();  // there is no finding
+  forged(std::optional(finding));
+  bytes.insert(bytes.end(), forged.bytes().begin(), forged.bytes().end());
+  ArchiveReader reader(bytes);
+  reader(check);
+}
+
+TEST(SelfCheck, RefusesAFindingInAnArchiveThatIsNoText) {
+  const auto simulation = sheared_four();
+  EXPECT_NO_THROW(read_with(simulation, "after collision 7: no (please report it)"));
+  EXPECT_THROW(read_with(simulation, "a\xF1"), ArchiveError);         // not UTF-8: no JSON either
+  EXPECT_THROW(read_with(simulation, "\x1B]0;title"), ArchiveError);  // commands to a terminal
 }
 
 TEST(SelfCheck, FindsSpheresInEachOther) {
