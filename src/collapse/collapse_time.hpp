@@ -46,10 +46,12 @@ class CollapseTime {
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.flight_, self.ratio_, self.alike_, self.error_, self.time_, self.shrinking_);
+    require_archived(self.alike_ >= 0 && self.alike_ <= kMostAlike, "a count that there is not");
   }
 
  private:
-  static constexpr int kAlike = 4;  // comparisons of ratios: five ratios, six flights
+  static constexpr int kMostAlike = 1 << 30;  // a geometric series leaves double sooner
+  static constexpr int kAlike = 4;            // comparisons of ratios: five ratios, six flights
 
   Real clock_unit_;
   Real flight_ = 0;

@@ -49,6 +49,7 @@ class SeparationCriterion {
   static void archive_state(Self& self, Archive& archive) {
     archive(self.collision_, self.time_, self.hits_, self.first_collision_, self.first_time_,
             self.last_collision_);
+    require_counts(self.collision_, self.hits_, self.first_collision_, self.last_collision_);
   }
 
  private:

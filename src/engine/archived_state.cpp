@@ -80,7 +80,9 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
   require_archived(!pending_.empty() && pending_.size() == static_cast<std::size_t>(spheres()),
                    "events of another number of spheres");
   archive_clock(*this, archive);
-  require_archived(collisions_ >= 0 && collisions_ <= most_units, "a count that there is not");
+  require_counts(collisions_, cell_crossings_, stale_events_, overlaps_ignored_);
+  require_archived(!stopped_before_ || is_pair(stopped_before_->i, stopped_before_->j),
+                   "a pair that there is not");
   for (const auto& instant : {now_, last_collision_, last_change_}) {
     require_archived(
         instant.remainder >= earliest_time() && instant.remainder <= 2 * this->box().clock_unit(),
@@ -102,6 +104,12 @@ void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   if (contact_physics_) archive(*contact_physics_);
 }
 
+/// Whether a sphere and one behind it, or a sphere and a wall, can collide.
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::is_pair(std::int32_t i, std::int32_t j) const {
+  return i >= 0 && i < j && i < spheres() && j < partners();
+}
+
 /// What no event is before: an overlap leads a little into the past, which the clock counts from
 /// its last whole unit; ten thousand units are far beyond any rounding.
 template <int Dim, class Real>
@@ -114,13 +122,12 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::require_possible(std::int32_t i) const {
   const Pending& event = pending_[static_cast<std::size_t>(i)];
   const Real never = std::numeric_limits<Real>::infinity();
-  const std::int32_t partners = spheres() + (surroundings_.walls ? 2 : 0);
   const bool meets = event.contact < never;
   const bool crosses = event.crossing < never;
   const bool is_possible =
       event.contact >= earliest_time() && event.contact <= never &&  // and no NaN
       event.crossing >= earliest_time() && event.crossing <= never &&
-      (!meets || (event.partner >= 0 && event.partner < partners && event.partner != i)) &&
+      (!meets || (event.partner >= 0 && event.partner < partners() && event.partner != i)) &&
       (!crosses || (event.axis >= 0 && event.axis < Dim && std::abs(event.direction) == 1));
   require_archived(is_possible, "an event that there is not");
 }

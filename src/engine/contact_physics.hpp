@@ -22,6 +22,7 @@ struct ContactCounts {
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.collisions, self.mean_restitution, self.made_elastic, self.rotated);
+    require_counts(self.collisions, self.made_elastic, self.rotated);
   }
 };
 

@@ -189,6 +189,10 @@ class Simulation {
   bool is_past(const Instant<Real>& limit, const Real& next) const;
   Real earliest_time() const;
   void require_possible(std::int32_t i) const;
+  bool is_pair(std::int32_t i, std::int32_t j) const;
+
+  /// The spheres, and behind them the walls.
+  std::int32_t partners() const { return spheres() + (surroundings_.walls ? 2 : 0); }
 
   /// What a checkpoint holds besides the spheres and their pending events.
   template <class Self, class Archive>

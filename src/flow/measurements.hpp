@@ -66,6 +66,7 @@ class Measurements {
     static void archive_state(Self& self, Archive& archive) {
       archive(self.kinetic, self.collisional, self.wall_impulse, self.gravity_work, self.wall_work,
               self.kick_work, self.dissipation, self.normal_speed, self.collisions);
+      require_counts(self.collisions);
     }
   };
 

@@ -100,7 +100,7 @@ Series::Series(const Handle& parent, const std::string& name, Type type) : type_
 }
 
 void Series::truncate(std::int64_t length) {
-  if (length > length_) throw Error("there are fewer rows than there should be");
+  if (length < 0 || length > length_) throw Error("there are fewer rows than there should be");
   checked(H5Dset_extent(dataset_.id(), extents(length, row_shape_).data()));
   length_ = length;
 }

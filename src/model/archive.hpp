@@ -41,6 +41,18 @@ inline void require_archived(bool holds, const char* what) {
   if (!holds) throw ArchiveError(what);
 }
 
+/// More than any run counts to, in a hundred thousand years; the sum of two fits 64 bits.
+inline constexpr std::int64_t most_counted = 4'000'000'000'000'000'000;
+
+/// Throws ArchiveError unless all are counts, or nothing, that a run can go on from.
+template <class... Counts>
+void require_counts(const Counts&... counts) {
+  const auto is_possible = [](const std::optional<std::int64_t>& count) {
+    return !count || (*count >= 0 && *count <= most_counted);
+  };
+  require_archived((is_possible(counts) && ...), "a count that there is not");
+}
+
 namespace archive_detail {
 
 static_assert(std::endian::native == std::endian::little);

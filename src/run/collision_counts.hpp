@@ -22,6 +22,7 @@ struct CollisionCounts {
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.absorbed, self.overlapping, self.receding);
+    require_counts(self.absorbed, self.overlapping, self.receding);
   }
 };
 

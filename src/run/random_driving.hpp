@@ -33,7 +33,7 @@ class RandomDriving {
   static void archive_state(Self& self, Archive& archive) {
     if (!self.is_on()) return;
     archive(self.random_, self.kicks_);
-    require_archived(self.kicks_ >= 0, "a count that there is not");
+    require_counts(self.kicks_);
     if constexpr (Archive::reads) self.schedule();
   }
 

@@ -43,7 +43,7 @@ class Recorder {
   template <class Self, class Archive>
   static void archive_members(Self& self, Archive& archive) {
     archive(self.waiting_, self.snapshots_, self.last_snapshot_time_, self.last_snapshot_step_);
-    require_archived(self.snapshots_ >= 0, "a count that there is not");
+    require_counts(self.snapshots_);
   }
 
   void append(const CollisionRow& row);

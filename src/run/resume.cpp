@@ -35,7 +35,7 @@ void require_changeable(const std::string& override) {
 std::string collisions_are_done(std::int64_t limit, std::int64_t collisions) {
   return fmt::format(
       "has done {} collisions (run.collisions = {} is reached); raise it: --set run.collisions={}",
-      collisions, limit, 2 * collisions + 1);
+      collisions, limit, 2 * std::min(collisions, most_counted) + 1);
 }
 
 std::string time_is_up(double limit, double time) {

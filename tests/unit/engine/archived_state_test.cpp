@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <optional>
+
 #include "engine/simulation.hpp"
 #include "engine/start.hpp"
 #include "model/archive.hpp"
@@ -137,6 +140,24 @@ TEST_F(HostileState, NoChangedByteDoesHarm) {
     }
   }
   EXPECT_GT(refused, 100);  // cells, partners, exponents, lengths
+}
+
+TEST_F(HostileState, CountsAndPairsThatCannotBeAreRefused) {
+  // Last come the number of overlaps ignored, the pair before which the run was stopped (none), and
+  // whether it is at rest.
+  const Bytes front(bytes.begin(), bytes.end() - 10);
+  const auto with = [&](std::int64_t count, const std::optional<Gas::NextPair>& pair) {
+    ArchiveWriter end;
+    end(count, pair, false);
+    Bytes all = front;
+    all.insert(all.end(), end.bytes().begin(), end.bytes().end());
+    return all;
+  };
+  EXPECT_EQ(with(0, std::nullopt), bytes);
+  EXPECT_TRUE(is_refused(with(std::numeric_limits<std::int64_t>::max(), std::nullopt)));
+  EXPECT_FALSE(is_refused(with(0, Gas::NextPair{22, 23, 0})));
+  EXPECT_TRUE(is_refused(with(0, Gas::NextPair{23, 24, 0})));  // there is no wall
+  EXPECT_TRUE(is_refused(with(0, Gas::NextPair{-1, 1, 0})));
 }
 
 }  // namespace

@@ -111,6 +111,12 @@ TEST(Archive, LengthBeyondTheEndIsAnErrorAndNotAnAllocation) {
   }
 }
 
+TEST(Archive, CountsThatNoRunComesToAreAnError) {
+  EXPECT_NO_THROW(require_counts(0, most_counted, std::optional<std::int64_t>()));
+  EXPECT_THROW(require_counts(1, std::int64_t{-1}), ArchiveError);
+  EXPECT_THROW(require_counts(std::optional(most_counted + 1)), ArchiveError);
+}
+
 TEST(Archive, NonsenseIsAnError) {
   EXPECT_THROW(restored<bool>({2}), ArchiveError);
   EXPECT_THROW(restored<std::optional<bool>>({7, 1}), ArchiveError);
