@@ -72,11 +72,19 @@ class Random {
     if constexpr (Archive::reads) {
       stream.str(text);
       stream >> self.generator_;
-      require_archived(!stream.fail(), "no random generator");
+      require_archived(!stream.fail() && is_alive(self.generator_), "no random generator");
     }
   }
 
  private:
+  /// Whether numbers other than zero will come. A state of zeros stays one for ever, and whoever
+  /// asks it for a number until one suits would wait as long; no seed makes it.
+  static bool is_alive(std::mt19937_64 generator) {
+    std::uint64_t any = 0;
+    for (std::size_t n = 0; n < 2 * std::mt19937_64::state_size; ++n) any |= generator();
+    return any != 0;
+  }
+
   std::mt19937_64 generator_;
 };
 

@@ -117,6 +117,18 @@ TEST(Archive, CountsThatNoRunComesToAreAnError) {
   EXPECT_THROW(require_counts(std::optional(most_counted + 1)), ArchiveError);
 }
 
+TEST(Archive, RandomGeneratorThatIsStuckIsAnError) {
+  std::string zeros;
+  for (int word = 0; word < 312; ++word) zeros += "0 ";
+  // The lowest 31 bits of the first word are never used: the second one is a state of zeros too.
+  for (const std::string& words : {zeros, "7" + zeros.substr(1)}) {
+    const Bytes text = archived(words + "312");
+    Random random(1);
+    ArchiveReader reader(text);
+    EXPECT_THROW(reader(random), ArchiveError);
+  }
+}
+
 TEST(Archive, NonsenseIsAnError) {
   EXPECT_THROW(restored<bool>({2}), ArchiveError);
   EXPECT_THROW(restored<std::optional<bool>>({7, 1}), ArchiveError);
