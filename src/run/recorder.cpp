@@ -22,6 +22,9 @@ Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& s
       file_(file) {
   archive_members(*this, archive);
   schedule_snapshot();
+  if (!output_.snapshot_interval) return;
+  require_archived(!simulation.has_reached(next_snapshot_ + *output_.snapshot_interval),
+                   "snapshots that were not taken");
 }
 
 template <int Dim, class Real>
