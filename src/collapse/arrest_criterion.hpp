@@ -42,10 +42,17 @@ class ArrestCriterion {
   /// The pairs that repeated then, in order.
   const std::vector<Pair>& pairs() const { return pairs_; }
 
+  /// \throws ArchiveError for an arrest without pairs, or for pairs in the wrong order
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.stretch_start_, self.newest_pair_, self.start_time_, self.seen_, self.collision_,
             self.time_, self.pairs_);
+    require_counts(self.stretch_start_, self.newest_pair_, self.collision_);
+    for (const Seen& seen : self.seen_) require_pair(seen.pair);
+    for (const Pair& pair : self.pairs_) require_pair(pair);
+    const bool is_met = self.collision_.has_value();
+    require_archived(self.time_.has_value() == is_met && self.pairs_.empty() != is_met,
+                     "an arrest that there is not");
   }
 
  private:
@@ -58,6 +65,10 @@ class ArrestCriterion {
       archive(self.pair, self.last);
     }
   };
+
+  static void require_pair(const Pair& pair) {
+    require_archived(pair.first >= 0 && pair.first < pair.second, "a pair that there is not");
+  }
 
   void remember(const Collision<Dim, Real>& collision);
   void conclude(const Collision<Dim, Real>& collision);

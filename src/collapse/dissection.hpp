@@ -110,6 +110,13 @@ struct Dissection {
   }
 };
 
+/// Whether i is a sphere, and j one behind it or a wall.
+bool is_pair(const std::pair<std::int32_t, std::int32_t>& pair, std::int32_t spheres);
+
+/// Whether a dissection can be one of so many spheres: it has a cluster, names no other spheres,
+/// and what belongs together is of one length.
+bool is_possible(const Dissection& dissection, int dimension, std::int32_t spheres);
+
 /// The first hit and the arrest of a run, as far as they happened.
 struct Anatomy {
   std::optional<Dissection> hit;

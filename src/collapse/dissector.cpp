@@ -80,7 +80,7 @@ class ClusterSequence {
 
 template <int Dim, class Real>
 void Dissector<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
-  const bool is_hit = collision.number > 1 && collision.gap_before <= threshold_;
+  const bool is_hit = !recent_.is_empty() && collision.gap_before <= threshold_;
   if (is_hit && !anatomy_.hit) {
     const Pair pair{collision.i, collision.j};
     const auto traces = recent_.traces();
@@ -211,6 +211,18 @@ void Dissector<Dim, Real>::follow(const std::vector<Trace>& traces, Dissection& 
   const auto balls = static_cast<int>(dissection.clusters.front().chain.size());
   if (restitution_) decay.exact = chain_factors(balls, *restitution_);
   if (decay.collapse_time_after) decay.collapse_time = dissection.time + *decay.collapse_time_after;
+}
+
+template <int Dim, class Real>
+void Dissector<Dim, Real>::require_possible() const {
+  for (const Trace& trace : recent_.traces()) {
+    require_counts(trace.number);
+    require_archived(is_pair({trace.i, trace.j}, spheres_), "a collision that there is not");
+  }
+  for (const auto& dissection : {anatomy_.hit, anatomy_.arrest}) {
+    require_archived(!dissection || is_possible(*dissection, Dim, spheres_),
+                     "a cluster that there is not");
+  }
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Dissector<Dim, Real>;

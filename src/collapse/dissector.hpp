@@ -49,9 +49,11 @@ class Dissector {
 
   const Anatomy& anatomy() const { return anatomy_; }
 
+  /// \throws ArchiveError for collisions of spheres that there are not, or what none can lead to
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.recent_, self.anatomy_);
+    if constexpr (Archive::reads) self.require_possible();
   }
 
  private:
@@ -74,6 +76,7 @@ class Dissector {
                    std::vector<Cluster>& clusters) const;
   Cluster cluster(std::int32_t sphere, const Contacts& contacts) const;
   void follow(const std::vector<Trace>& traces, Dissection& dissection) const;
+  void require_possible() const;
 
   Real threshold_;
   std::int32_t spheres_;

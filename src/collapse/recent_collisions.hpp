@@ -57,6 +57,8 @@ class RecentCollisions {
     trace.gap_before = collision.gap_before;
   }
 
+  bool is_empty() const { return end_ == 0; }
+
   /// How many of the traces lie before the last stretch.
   std::size_t before_stretch() const { return first_ < kKept ? first_ : kKept; }
 
@@ -73,8 +75,8 @@ class RecentCollisions {
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.first_, self.end_, self.length_, self.start_);
-    const bool is_possible =
-        self.first_ <= self.end_ && self.end_ - self.first_ == std::min(self.length_, kKept);
+    const bool is_possible = self.first_ <= self.end_ && self.end_ <= std::size_t{most_counted} &&
+                             self.end_ - self.first_ == std::min(self.length_, kKept);
     require_archived(is_possible, "collisions that cannot have been kept");
     // Slots are used from the first one on.
     for (std::size_t n = 0; n < std::min(self.end_, 2 * kKept); ++n) archive(self.traces_[n]);

@@ -156,5 +156,19 @@ TEST(ArrestCriterion, TellsTimeAndWindow) {
   EXPECT_EQ(criterion.time(), 2.125);
 }
 
+TEST(ArrestCriterion, RefusesAnArrestInAnArchiveThatHasNoPairs) {
+  const auto read = [](const std::vector<Pair>& pairs) {
+    const std::vector<std::pair<Pair, std::int64_t>> seen{{{0, 1}, 9}};
+    ArchiveWriter writer;
+    writer(std::int64_t{1}, std::int64_t{1}, Instant<double>{}, seen);
+    writer(std::optional(std::int64_t{9}), std::optional(kTime), pairs);
+    Criterion criterion(kThreshold, 8, 1.0);
+    ArchiveReader(writer.bytes())(criterion);
+  };
+  EXPECT_NO_THROW(read({{0, 1}}));
+  EXPECT_THROW(read({}), ArchiveError);
+  EXPECT_THROW(read({{1, 1}}), ArchiveError);
+}
+
 }  // namespace
 }  // namespace zenosphere

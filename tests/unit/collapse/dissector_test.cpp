@@ -162,6 +162,55 @@ TEST_F(Dissecting, DoesNotConnectSpheresThroughAWall) {
   EXPECT_EQ(arrest.clusters[0].contacts[0].j, 100);
 }
 
+TEST_F(Dissecting, RefusesCollisionsInAnArchiveThatThereCannotBe) {
+  const auto is_refused = [](const Dissector<2, double>& archived) {
+    ArchiveWriter writer;
+    writer(archived);
+    Dissector<2, double> read{kThreshold, 100, 1.0, 0.05};
+    try {
+      ArchiveReader(writer.bytes())(read);
+    } catch (const ArchiveError&) {
+      return true;
+    }
+    return false;
+  };
+  collide(98, 101, 1, 1, 0);  // off the upper wall
+  EXPECT_FALSE(is_refused(dissector));
+  for (const auto& [i, j] : {std::pair(2, 1), {3, 3}, {-1, 3}, {3, 102}, {100, 101}}) {
+    dissector = {kThreshold, 100, 1.0, 0.05};
+    collide(i, j, 1, 1, 0);
+    EXPECT_TRUE(is_refused(dissector));
+  }
+}
+
+TEST_F(Dissecting, RefusesADissectionInAnArchiveThatThereCannotBe) {
+  collapse(5, 16);
+  collide(5, 6, 0, 1e-6, 2);
+  const Dissection hit = dissector.anatomy().hit.value();
+  ASSERT_TRUE(is_possible(hit, 2, 100));
+  EXPECT_FALSE(is_possible(hit, 3, 100));  // positions of other dimensions
+  EXPECT_FALSE(is_possible(hit, 2, 7));    // without sphere 7
+  Dissection forged = hit;
+  forged.collisions.gap.pop_back();
+  EXPECT_FALSE(is_possible(forged, 2, 100));
+  forged = hit;
+  forged.pairs[0] = {6, 5};
+  EXPECT_FALSE(is_possible(forged, 2, 100));
+  forged = hit;
+  forged.clusters.clear();
+  EXPECT_FALSE(is_possible(forged, 2, 100));
+  ArchiveWriter writer;
+  writer(RecentCollisions<2, double>(kThreshold, 1.0), Anatomy{.hit = forged, .arrest = {}});
+  ArchiveReader reader(writer.bytes());
+  EXPECT_THROW(reader(dissector), ArchiveError);
+}
+
+TEST_F(Dissecting, TakesNoHitBeforeTheFirstCollisionItHasSeen) {
+  number = 7;  // as a forged state has it
+  collide(5, 6, 0, 1, 0);
+  EXPECT_FALSE(dissector.anatomy().hit);
+}
+
 TEST(RecentCollisions, KeepABoundedNumberBeforeAndSinceTheClockStopped) {
   RecentCollisions<1, double> recent(kThreshold, 1.0);
   Collision<1, double> collision;
