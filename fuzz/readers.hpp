@@ -37,7 +37,7 @@ void verified_file(Bytes bytes);
 /// checksums are made right, since nothing gets past them otherwise.
 void journal(Bytes bytes);
 
-/// The state in a checkpoint, of one of three small runs by the first byte, and the run's next
+/// The state in a checkpoint, of one of five small runs by the first byte, and the run's next
 /// collisions: what it refuses to read it must not do, what it reads it must be able to go on from.
 void checkpoint(Bytes bytes);
 

@@ -62,13 +62,14 @@ void read_all(const FileDescriptor& file) {
   }
 }
 
-/// The runs whose states are read: a gas that cools, a sheared one, and a column on the ground
-/// with a contact model.
+/// The runs whose states are read: a gas that cools, a sheared one, a column on the ground with a
+/// contact model, rods that have collapsed, and disks that are kicked and whose collisions rotate.
 const Case& small_case(std::uint8_t choice) {
   const std::filesystem::path folder = ZENOSPHERE_SOURCE_DIR "/fuzz/states";
-  static const std::array cases{read_case(folder / "cooling.toml", {}),
-                                read_case(folder / "shear.toml", {}),
-                                read_case(folder / "column.toml", {})};
+  static const std::array cases{
+      read_case(folder / "cooling.toml", {}), read_case(folder / "shear.toml", {}),
+      read_case(folder / "column.toml", {}), read_case(folder / "collapse.toml", {}),
+      read_case(folder / "kicked.toml", {})};
   return cases[choice % cases.size()];
 }
 
@@ -84,6 +85,7 @@ void go_on(const Case& values, Bytes bytes) {
   RandomDriving<Dim, double> driving(values);
   Observers<Dim, double> observers(values, simulation);
   state(driving, observers);
+  if (driving.is_on()) driving.kick(simulation, observers.measurements());
   constexpr int collisions = 100;
   for (int k = 0; k < collisions && !observers.has_violation(); ++k) {
     if (simulation.is_at_rest()) break;
