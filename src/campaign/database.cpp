@@ -172,7 +172,7 @@ std::int64_t integer_in(const Cell& cell, const std::string& name) {
   return *integer;
 }
 
-const std::string& text_in(const Cell& cell, const std::string& name) {
+std::string text_in(const Cell& cell, const std::string& name) {
   const auto* text = std::get_if<std::string>(&cell);
   if (!text) throw OutputError(name + ": is damaged (a text is missing in it)");
   return *text;

@@ -111,7 +111,7 @@ class Transaction {
 
 /// The integer or text in a cell. Throws OutputError, `name` is damaged, where it is another kind.
 std::int64_t integer_in(const Cell& cell, const std::string& name);
-const std::string& text_in(const Cell& cell, const std::string& name);
+std::string text_in(const Cell& cell, const std::string& name);
 
 /// The cell as plain text: empty for nothing, the shortest digits that read back to the same bits.
 std::string cell_text(const Cell& cell);

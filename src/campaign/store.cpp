@@ -44,7 +44,7 @@ RunCounts run_counts(Database& database) {
   RunCounts counts;
   Statement query = database.statement("SELECT status, count(*) FROM run GROUP BY status");
   while (query.step()) {
-    const std::string& status = text_in(query.cell(0), database.name());
+    const std::string status = text_in(query.cell(0), database.name());
     auto& count = status == "done"     ? counts.done
                   : status == "failed" ? counts.failed
                                        : counts.pending;
