@@ -48,12 +48,14 @@ double since_start(const Instant<Real>& instant, const Real& unit) {
   return static_cast<double>(exactly_since_start(instant, unit));
 }
 
-/// The instant at a time since the start; times beyond the reach of the counter become its end.
+/// The instant at a time since the start. Times beyond the reach of the counter, and what is no
+/// number, become its end; times before the start one unit before it.
 template <class Real>
 Instant<Real> instant_at(double time, const Real& unit) {
   using std::floor;
   const Real units = floor(static_cast<Real>(Real(time) / unit));
-  if (units > Real(static_cast<double>(most_units))) return {most_units, 0};
+  if (!(units <= Real(static_cast<double>(most_units)))) return {most_units, 0};
+  if (units < 0) return {-1, 0};
   return {static_cast<std::int64_t>(units), Real(time) - units * unit};
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace zenosphere {
 namespace {
 
@@ -27,6 +29,17 @@ TEST(Clock, ResolutionDoesNotDecayWithTheLengthOfTheRun) {
 TEST(Clock, SinceStartIsOneNumber) {
   EXPECT_EQ(since_start<double>({4, 0.25}, 0.5), 2.25);
   EXPECT_EQ(since_start<double>({}, 0.5), 0);
+}
+
+TEST(Clock, HasAnInstantForEveryTime) {
+  const auto units_at = [](double time) { return instant_at(time, 0.5).units; };
+  EXPECT_EQ(units_at(2.25), 4);
+  EXPECT_EQ(instant_at(2.25, 0.5).remainder, 0.25);
+  EXPECT_EQ(units_at(1e300), most_units);
+  EXPECT_EQ(units_at(std::numeric_limits<double>::infinity()), most_units);
+  EXPECT_EQ(units_at(std::numeric_limits<double>::quiet_NaN()), most_units);
+  EXPECT_EQ(units_at(-0.25), -1);  // an overlap in a forged state leads that far back, or farther
+  EXPECT_EQ(units_at(-1e300), -1);
 }
 
 }  // namespace
