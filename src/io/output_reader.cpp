@@ -11,6 +11,7 @@
 #include "io/hdf5_series.hpp"
 #include "io/journal.hpp"
 #include "io/output_datasets.hpp"
+#include "io/printable.hpp"
 #include "io/rehearsal.hpp"
 #include "model/errors.hpp"
 
@@ -149,6 +150,8 @@ void require_plausible(const OutputInfo& info) {
   constexpr std::int64_t most_spheres = 100'000'000;  // as in a case
   if (info.dimension < 1 || info.dimension > 3) throw hdf5::Error("dimension not in [1, 3]");
   if (info.spheres < 1 || info.spheres > most_spheres) throw hdf5::Error("too many spheres");
+  const bool is_named = is_plain(info.program_version) && is_plain(info.git_hash);
+  if (!is_named) throw hdf5::Error("a program version that is no plain text");
   if (info.snapshots < 0 || info.logged_collisions < 0) throw hdf5::Error("negative extent");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,11 @@ inline std::string printable(std::string_view text) {
     if (is_c1) result[n - 1] = '?';
   }
   return result;
+}
+
+/// Whether a text is one line of printable ASCII, as the program's own are: fit for JSON too.
+inline bool is_plain(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
 }  // namespace zenosphere

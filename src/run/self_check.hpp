@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
 #include "engine/simulation.hpp"
 #include "flow/measurements.hpp"
+#include "io/printable.hpp"
 #include "model/archive.hpp"
 #include "model/overlap_rule.hpp"
 
@@ -53,10 +53,6 @@ class SelfCheck {
 
  private:
   using Vector = Vec<Dim, Real>;
-
-  static bool is_plain(const std::string& text) {  // for summaries and terminals alike
-    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
-  }
 
   void note(std::int64_t collision, const std::string& text);
   void note_disorder(const Collision<Dim, Real>& collision);

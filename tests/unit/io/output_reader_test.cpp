@@ -106,6 +106,16 @@ TEST_F(OutputReader, TellsWhatIsWrongWithADamagedFile) {
   EXPECT_NE(problem().find("cannot be read (truncated file"), std::string::npos) << problem();
 }
 
+TEST_F(OutputReader, RejectsAProgramVersionThatIsNoText) {
+  write_run({});
+  const auto write = [this] {
+    const auto own = hdf5::opened(hdf5::reopened_file(path), "zenosphere");
+    hdf5::write_attribute(own, "git_hash", "\xF1");
+  };
+  write();
+  EXPECT_NE(problem().find("a program version that is no plain text"), std::string::npos);
+}
+
 TEST_F(OutputReader, TellsWhatIsMissingInAnIncompleteStructure) {
   const auto write = [this] {
     const auto file = hdf5::created_file(path);

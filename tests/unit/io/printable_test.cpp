@@ -16,5 +16,12 @@ TEST(Printable, EscapeSequencesLoseTheirEffect) {
             "??2J");  // the one-character form of ESC [
 }
 
+TEST(Printable, PlainTextIsOneLineOfAscii) {
+  EXPECT_TRUE(is_plain("0.1.0 (~ !)"));
+  EXPECT_FALSE(is_plain("a\nb"));
+  EXPECT_FALSE(is_plain("\x7F"));
+  EXPECT_FALSE(is_plain("\xC3\xA9"));
+}
+
 }  // namespace
 }  // namespace zenosphere
