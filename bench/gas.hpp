@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/settling.hpp"
 #include "engine/simulation.hpp"
 #include "engine/start.hpp"
 
@@ -22,7 +23,8 @@ struct GasRequest {
 /// The gas at time 0.
 inline Gas gas(const GasRequest& request) {
   const double side = box_side<3>(request.start.spheres, request.solids_volume_fraction);
-  const ShearBox<3, double> box({side, side, side}, request.shear_rate);
+  const ShearBox<3, double> box({side, side, side}, request.shear_rate,
+                                fitting_cell_width(side * side * side, request.start.spheres, 3));
   return Gas(box, make_start<3>(request.start, box), {.restitution = request.restitution});
 }
 

@@ -11,48 +11,49 @@
 
 namespace zenosphere {
 
-template <int Dim>
-std::vector<std::int32_t> SlidingCells<Dim>::order() const {
-  std::vector<std::int32_t> order;
-  order.reserve(next_.size());
-  for (std::int32_t cell = 0; cell < count(); ++cell) {
-    for (std::int32_t id = first(cell); id != kNone; id = next(id)) order.push_back(id);
-  }
-  return order;
-}
-
-template <int Dim>
-void SlidingCells<Dim>::restore(int whole_slide, const std::vector<std::int32_t>& order,
-                                const std::function<std::int32_t(std::int32_t)>& cell_of) {
-  whole_slide_ = whole_slide;
-  for (auto id = order.rbegin(); id != order.rend(); ++id) insert(*id, cell_of(*id));
-}
-
 template <int Dim, class Real>
 Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& acceleration,
                             ArchiveReader& archive)
-    : box_(box),
-      cells_(box.cells(), box.is_sheared(), 0, box.closed_axis()),
-      acceleration_(acceleration),
-      falls_(!(acceleration == Vector{})) {
-  archive(spheres_);
+    : Spheres(archive.template next<LargeVector<Sphere>>(), box, acceleration) {
   for (const Sphere& sphere : spheres_) require_possible(sphere);
-  const auto order = archive.template next<std::vector<std::int32_t>>();
-  std::vector<std::int32_t> sorted = order;
-  std::sort(sorted.begin(), sorted.end());
-  require_archived(sorted.size() == spheres_.size(), "cells that hold other spheres");
-  for (std::int32_t i = 0; i < count(); ++i) {
-    require_archived(sorted[static_cast<std::size_t>(i)] == i, "cells that hold other spheres");
-  }
+  archive(anchors_);
+  require_archived(anchors_.size() == spheres_.size(), "anchors of another number of spheres");
   const auto whole_slide = archive.template next<std::int32_t>();
   require_archived(whole_slide >= 0 && whole_slide < box.cells()[0], "layers that left the box");
-  cells_ = SlidingCells<Dim>(box.cells(), box.is_sheared(), count(), box.closed_axis());
-  cells_.restore(whole_slide, order, [this](std::int32_t i) { return (*this)[i].cell; });
+  cells_.slide_to(whole_slide);
+  find_images();
+  for (std::int32_t i = 0; i < count(); ++i) {
+    for (const int place : anchor(i).place) {
+      require_archived(place >= 0 && place <= AnchorCells::grains_a_cell,
+                       "an anchor outside of its cell");
+    }
+    anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+    for (const auto packed : archive.template next<std::vector<std::uint32_t>>()) {
+      const auto neighbour = Neighbour::from_packed(packed);
+      const std::int32_t j = neighbour.sphere();
+      require_archived(j > i && j < count() && neighbour.way().code() < Way::count &&
+                           lists_.of(i).size() < NeighbourLists::most &&
+                           lists_.of(j).size() < NeighbourLists::most,
+                       "neighbours that there are not");
+      lists_.add(i, neighbour);
+    }
+  }
 }
 
+/// Of each pair the sphere with the lower number has the other on its list in the archive; the
+/// lists are sorted, since their order means nothing.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::archive_to(ArchiveWriter& archive) const {
-  archive(spheres_, cells_.order(), std::int32_t{cells_.whole_slide()});
+  archive(spheres_, anchors_, std::int32_t{cells_.whole_slide()});
+  std::vector<std::uint32_t> later;
+  for (std::int32_t i = 0; i < count(); ++i) {
+    later.clear();
+    for (const Neighbour neighbour : lists_.of(i)) {
+      if (neighbour.sphere() > i) later.push_back(neighbour.packed());
+    }
+    std::sort(later.begin(), later.end());
+    archive(later);
+  }
 }
 
 /// Throws ArchiveError for a sphere that is nowhere in the box.
@@ -61,9 +62,7 @@ void Spheres<Dim, Real>::require_possible(const Sphere& sphere) const {
   using std::isfinite;
   bool is_possible = sphere.cell >= 0 && sphere.cell < cells_.count() && isfinite(sphere.time);
   for (int axis = 0; axis < Dim; ++axis) {
-    const Real& place = sphere.position[axis];  // a period away: far more than rounding allows
-    is_possible = is_possible && isfinite(sphere.velocity[axis]) && place >= -box_.sides()[axis] &&
-                  place <= 2 * box_.sides()[axis];
+    is_possible = is_possible && isfinite(sphere.velocity[axis]) && isfinite(sphere.position[axis]);
   }
   require_archived(is_possible, "a sphere that is nowhere in the box");
 }
@@ -76,11 +75,13 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
       rules_(rules),
       surroundings_(surroundings),
       calendar_(spheres_.count()) {
-  archive(pending_);
-  require_archived(!pending_.empty() && pending_.size() == static_cast<std::size_t>(spheres()),
+  archive(meetings_);
+  const auto times = archive.template next<std::vector<Real>>();
+  require_archived(times.size() == meetings_.size(), "times of another number of spheres");
+  require_archived(!meetings_.empty() && meetings_.size() == static_cast<std::size_t>(spheres()),
                    "events of another number of spheres");
   archive_clock(*this, archive);
-  require_counts(collisions_, cell_crossings_, stale_events_, overlaps_ignored_);
+  require_counts(collisions_, settlings_, stale_events_, overlaps_ignored_);
   require_archived(!stopped_before_ || is_pair(stopped_before_->i, stopped_before_->j),
                    "a pair that there is not");
   for (const auto& instant : {now_, last_collision_, last_change_}) {
@@ -91,15 +92,21 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
   apply_models();
   if (contact_physics_) archive(*contact_physics_);
   for (std::int32_t i = 0; i < spheres(); ++i) {
+    const Real& time = times[static_cast<std::size_t>(i)];
     require_possible(i);
-    schedule(i);
+    require_archived(time >= earliest_time() && time <= meetings(i).first().time,
+                     "a time that there is not");
+    calendar_.schedule(i, time);
   }
 }
 
 template <int Dim, class Real>
 void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   spheres_.archive_to(archive);
-  archive(pending_);
+  archive(meetings_);
+  std::vector<Real> times;
+  for (std::int32_t i = 0; i < spheres(); ++i) times.push_back(calendar_.time(i));
+  archive(times);
   archive_clock(*this, archive);
   if (contact_physics_) archive(*contact_physics_);
 }
@@ -120,24 +127,16 @@ Real Simulation<Dim, Real>::earliest_time() const {
 /// Throws ArchiveError where sphere i has an event that no prediction makes.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::require_possible(std::int32_t i) const {
-  const Pending& event = pending_[static_cast<std::size_t>(i)];
   const Real never = std::numeric_limits<Real>::infinity();
-  const bool meets = event.contact < never;
-  const bool crosses = event.crossing < never;
-  const bool is_possible =
-      event.contact >= earliest_time() && event.contact <= never &&  // and no NaN
-      event.crossing >= earliest_time() && event.crossing <= never &&
-      (!meets || (event.partner >= 0 && event.partner < partners() && event.partner != i)) &&
-      (!crosses || (event.axis >= 0 && event.axis < Dim && std::abs(event.direction) == 1));
-  require_archived(is_possible, "an event that there is not");
+  const NextMeetings<Real>& next = meetings_[static_cast<std::size_t>(i)];
+  for (const Meeting<Real>& meeting : {next.first(), next.second()}) {
+    const bool is_with_nobody = !meeting.is_with_anybody() && meeting.time == never;
+    const bool is_possible = meeting.time >= earliest_time() && meeting.time <= never &&  // no NaN
+                             meeting.partner() < partners() && meeting.partner() != i;
+    require_archived(is_possible && (meeting.is_with_anybody() || is_with_nobody),
+                     "an event that there is not");
+  }
 }
-
-#define ZENOSPHERE_INSTANTIATE(Dim)                                               \
-  template std::vector<std::int32_t> SlidingCells<Dim>::order() const;            \
-  template void SlidingCells<Dim>::restore(int, const std::vector<std::int32_t>&, \
-                                           const std::function<std::int32_t(std::int32_t)>&);
-ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
-#undef ZENOSPHERE_INSTANTIATE
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                     \
   template Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>&,                      \

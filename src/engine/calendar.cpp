@@ -20,18 +20,18 @@ constexpr bool is_event(const Real& time) {
 
 template <class Real>
 Calendar<Real>::Calendar(std::int32_t size)
-    : times_(static_cast<std::size_t>(size), std::numeric_limits<Real>::infinity()),
-      links_(static_cast<std::size_t>(size), Link{kNone, kNone, kNowhere}),
+    : events_(static_cast<std::size_t>(size),
+              Event{std::numeric_limits<Real>::infinity(), kNone, kNowhere}),
       bins_(static_cast<std::int32_t>(std::bit_ceil(static_cast<std::uint32_t>(size)))),
       current_(bins_ - 1) {
-  heads_.assign(static_cast<std::size_t>(bins_) + 1, kNone);
+  heads_.assign(static_cast<std::size_t>(bins_), kNone);
   end_cycle();
 }
 
 template <class Real>
 void Calendar<Real>::schedule(std::int32_t id, const Real& time) {
   remove(id);
-  times_[static_cast<std::size_t>(id)] = time;
+  event(id).time = time;
   if (is_event(time)) place(id);
 }
 
@@ -40,7 +40,7 @@ std::int32_t Calendar<Real>::earliest() {
   while (heap_.empty()) {
     if (current_ + 1 < bins_) {
       open_bin(++current_);
-    } else if (heads_[static_cast<std::size_t>(bins_)] != kNone) {
+    } else if (waiting_ > 0) {
       start_cycle();
     } else {
       return kNone;
@@ -51,18 +51,19 @@ std::int32_t Calendar<Real>::earliest() {
 
 template <class Real>
 void Calendar<Real>::set_back(const Real& span) {
-  const auto size = static_cast<std::int32_t>(times_.size());
-  for (std::int32_t id = 0; id < size; ++id) remove(id);
+  heap_.clear();
+  std::fill(heads_.begin(), heads_.end(), kNone);
+  waiting_ = 0;
   end_cycle();
-  for (std::int32_t id = 0; id < size; ++id) {
-    auto& time = times_[static_cast<std::size_t>(id)];
-    if (!is_event(time)) continue;
-    time -= span;
-    place(id);
+  for (Event& event : events_) {
+    if (event.place == kNowhere) continue;
+    event.time -= span;
+    event.place = kInNextCycle;
+    ++waiting_;
   }
 }
 
-/// Lets every event wait in the last bin until the next cycle starts.
+/// Lets every event wait for the next cycle.
 template <class Real>
 void Calendar<Real>::end_cycle() {
   current_ = bins_ - 1;
@@ -70,21 +71,19 @@ void Calendar<Real>::end_cycle() {
   bins_per_time_ = 1;
 }
 
-/// Spreads the events that wait in the last bin over the bins of a new cycle.
+/// Spreads the events that wait over the bins of a new cycle.
 template <class Real>
 void Calendar<Real>::start_cycle() {
-  std::int32_t waiting = std::exchange(heads_[static_cast<std::size_t>(bins_)], kNone);
-  origin_ = times_[static_cast<std::size_t>(waiting)];
-  for (std::int32_t id = waiting; id != kNone; id = links_[static_cast<std::size_t>(id)].next) {
-    origin_ = std::min(origin_, times_[static_cast<std::size_t>(id)]);
+  origin_ = std::numeric_limits<Real>::infinity();
+  for (const Event& event : events_) {
+    if (event.place == kInNextCycle) origin_ = std::min(origin_, event.time);
   }
   const Real width = fitted_bin_width(origin_);
   bins_per_time_ = width > 0 ? Real(1 / width) : Real(0);
   current_ = -1;
-  while (waiting != kNone) {
-    const std::int32_t id = waiting;
-    waiting = links_[static_cast<std::size_t>(id)].next;
-    place(id);
+  waiting_ = 0;
+  for (std::size_t id = 0; id < events_.size(); ++id) {
+    if (events_[id].place == kInNextCycle) place(static_cast<std::int32_t>(id));
   }
 }
 
@@ -92,52 +91,56 @@ void Calendar<Real>::start_cycle() {
 template <class Real>
 Real Calendar<Real>::fitted_bin_width(const Real& first) const {
   constexpr std::size_t kSample = 1024;  // enough for a width within some per cent
-  const std::size_t stride = times_.size() / kSample + 1;
+  const std::size_t stride = events_.size() / kSample + 1;
   std::vector<Real> sample;
-  for (std::size_t id = 0; id < times_.size(); id += stride) {
-    if (is_event(times_[id])) sample.push_back(times_[id] - first);
+  for (std::size_t id = 0; id < events_.size(); id += stride) {
+    if (is_event(events_[id].time)) sample.push_back(events_[id].time - first);
   }
   if (sample.empty()) return 0;
   const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
   std::nth_element(sample.begin(), middle, sample.end());
-  return *middle * 2 / static_cast<Real>(times_.size());
+  return *middle * 2 / static_cast<Real>(events_.size());
 }
 
 template <class Real>
 void Calendar<Real>::place(std::int32_t id) {
-  const double offset =
-      static_cast<double>((times_[static_cast<std::size_t>(id)] - origin_) * bins_per_time_);
+  Event& event = this->event(id);
+  const double offset = bins_after_origin(event.time);
   if (offset < current_ + 1) {
     heap_push(id);
-    return;
+  } else if (offset < bins_) {
+    std::int32_t& head = heads_[static_cast<std::size_t>(offset)];
+    event.next = head;
+    event.place = behind(kNone);
+    if (head != kNone) this->event(head).place = behind(id);
+    head = id;
+  } else {
+    event.place = kInNextCycle;
+    ++waiting_;
   }
-  const std::int32_t bin = offset < bins_ ? static_cast<std::int32_t>(offset) : bins_;
-  auto& link = links_[static_cast<std::size_t>(id)];
-  std::int32_t& head = heads_[static_cast<std::size_t>(bin)];
-  link = {head, kNone, bin};
-  if (head != kNone) links_[static_cast<std::size_t>(head)].prev = id;
-  head = id;
 }
 
 template <class Real>
 void Calendar<Real>::remove(std::int32_t id) {
-  const Link link = links_[static_cast<std::size_t>(id)];
-  if (link.bin == kNowhere) return;
-  links_[static_cast<std::size_t>(id)].bin = kNowhere;
-  if (link.bin == kInHeap) {
-    heap_remove(link.prev);
-    return;
+  Event& event = this->event(id);
+  const std::int32_t place = std::exchange(event.place, kNowhere);
+  if (place >= 0) {
+    heap_remove(place);
+  } else if (is_in_bin(place)) {
+    const std::int32_t previous = behind(place);
+    (previous == kNone ? heads_[static_cast<std::size_t>(bins_after_origin(event.time))]
+                       : this->event(previous).next) = event.next;
+    if (event.next != kNone) this->event(event.next).place = place;
+  } else if (place == kInNextCycle) {
+    --waiting_;
   }
-  (link.prev == kNone ? heads_[static_cast<std::size_t>(link.bin)]
-                      : links_[static_cast<std::size_t>(link.prev)].next) = link.next;
-  if (link.next != kNone) links_[static_cast<std::size_t>(link.next)].prev = link.prev;
 }
 
 template <class Real>
 void Calendar<Real>::open_bin(std::int32_t bin) {
   std::int32_t id = std::exchange(heads_[static_cast<std::size_t>(bin)], kNone);
   while (id != kNone) {
-    const std::int32_t next = links_[static_cast<std::size_t>(id)].next;
+    const std::int32_t next = event(id).next;
     heap_push(id);
     id = next;
   }
@@ -145,8 +148,8 @@ void Calendar<Real>::open_bin(std::int32_t bin) {
 
 template <class Real>
 bool Calendar<Real>::before(std::int32_t a, std::int32_t b) const {
-  const Real& time_a = times_[static_cast<std::size_t>(a)];
-  const Real& time_b = times_[static_cast<std::size_t>(b)];
+  const Real& time_a = event(a).time;
+  const Real& time_b = event(b).time;
   return time_a < time_b || (time_a == time_b && a < b);
 }
 
@@ -168,7 +171,7 @@ template <class Real>
 void Calendar<Real>::heap_settle(std::int32_t position, std::int32_t id) {
   const auto put = [this](std::int32_t at, std::int32_t sphere) {
     heap_[static_cast<std::size_t>(at)] = sphere;
-    links_[static_cast<std::size_t>(sphere)] = {kNone, at, kInHeap};
+    event(sphere).place = at;
   };
   const auto size = static_cast<std::int32_t>(heap_.size());
   while (position > 0) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
+
+#include "engine/large_vector.hpp"
 
 namespace zenosphere {
 
@@ -29,24 +32,38 @@ class Calendar {
   std::int32_t earliest();
 
   /// Time of the event of sphere `id`; infinity if it has none.
-  const Real& time(std::int32_t id) const { return times_[static_cast<std::size_t>(id)]; }
+  const Real& time(std::int32_t id) const { return event(id).time; }
+
+  /// A sphere with an event `bins` bins ahead, as far as is known now, or kNone.
+  std::int32_t soon(std::int32_t bins) const {
+    return heads_[static_cast<std::size_t>(std::min(current_ + bins, bins_ - 1))];
+  }
+
+  /// Fetches the event of sphere `id` into the cache.
+  void prefetch(std::int32_t id) const { __builtin_prefetch(&event(id)); }
 
   /// Sets all events back by `span`, as when the clock is re-based.
   void set_back(const Real& span);
 
  private:
-  struct Link {
-    std::int32_t next;  ///< in the bin; unused in the heap
-    std::int32_t prev;  ///< in the bin; position in the heap
-    std::int32_t bin;
+  struct Event {
+    Real time;
+    std::int32_t next;   ///< in the same bin
+    std::int32_t place;  ///< in the heap, or behind another one in a bin, or one of the following
   };
-  // Bins 0 .. bins_ - 1 hold the current cycle, bin `bins_` what comes after it.
-  static constexpr std::int32_t kInHeap = -1;
-  static constexpr std::int32_t kNowhere = -2;
+  static constexpr std::int32_t kNowhere = -1;
+  static constexpr std::int32_t kInNextCycle = -2;
+
+  /// The place in a bin behind the sphere `previous`, or at its head behind kNone; and back.
+  static constexpr std::int32_t behind(std::int32_t previous) { return -4 - previous; }
+  static constexpr bool is_in_bin(std::int32_t place) { return place <= behind(kNone); }
 
   void start_cycle();
   void end_cycle();
   Real fitted_bin_width(const Real& first) const;
+  double bins_after_origin(const Real& time) const {
+    return static_cast<double>((time - origin_) * bins_per_time_);
+  }
   void place(std::int32_t id);
   void remove(std::int32_t id);
   void open_bin(std::int32_t bin);
@@ -56,12 +73,15 @@ class Calendar {
   void heap_remove(std::int32_t position);
   void heap_settle(std::int32_t position, std::int32_t id);
 
-  std::vector<Real> times_;
-  std::vector<Link> links_;
-  std::vector<std::int32_t> heads_;
+  Event& event(std::int32_t id) { return events_[static_cast<std::size_t>(id)]; }
+  const Event& event(std::int32_t id) const { return events_[static_cast<std::size_t>(id)]; }
+
+  LargeVector<Event> events_;
+  LargeVector<std::int32_t> heads_;  ///< of the bins: a sphere in each
   std::vector<std::int32_t> heap_;
   std::int32_t bins_;
   std::int32_t current_;
+  std::int32_t waiting_ = 0;  ///< events for the next cycle
   Real origin_ = 0;
   Real bins_per_time_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/cell_lists.hpp"
 #include "engine/sliding_cells.hpp"
 #include "model/instantiate.hpp"
 
@@ -17,7 +18,8 @@ class Pushing {
  public:
   Pushing(std::int32_t spheres, const ShearBox<Dim, double>& box, Random& random)
       : box_(box.sides(), 0, least_width(spheres, box.sides()), box.closed_axis()),
-        cells_(box_.cells(), false, spheres, box.closed_axis()),
+        cells_(box_.cells()),
+        lists_(cells_.count(), spheres),
         positions_(static_cast<std::size_t>(spheres)),
         home_(static_cast<std::size_t>(spheres)) {
     for (std::int32_t i = 0; i < spheres; ++i) {
@@ -26,7 +28,7 @@ class Pushing {
         position(i)[axis] = margin + (box_.sides()[axis] - 2 * margin) * random.uniform();
       }
       home_[static_cast<std::size_t>(i)] = cell_of(position(i));
-      cells_.insert(i, home_[static_cast<std::size_t>(i)]);
+      lists_.insert(i, home_[static_cast<std::size_t>(i)]);
     }
   }
 
@@ -35,13 +37,10 @@ class Pushing {
   bool sweep(double distance) {
     bool overlap = false;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(positions_.size()); ++i) {
-      for (const auto& row : cells_.neighbourhood()) {
-        cells_.for_each_run(home_[static_cast<std::size_t>(i)], row,
-                            [&](std::int32_t first, std::int32_t last, const Steps<Dim>&) {
-                              for (std::int32_t cell = first; cell <= last; ++cell) {
-                                overlap |= push_from(i, cell, distance);
-                              }
-                            });
+      for (int y = -1; y <= 1; ++y) {
+        for (int z = Dim > 2 ? -1 : 0; z <= (Dim > 2 ? 1 : 0); ++z) {
+          overlap |= push_from_row(i, y, z, distance);
+        }
       }
     }
     return overlap;
@@ -50,11 +49,31 @@ class Pushing {
   const std::vector<Vec<Dim, double>>& positions() const { return positions_; }
 
  private:
+  /// Pushes sphere i and those in three cells of a row beside its own; it may have been pushed on
+  /// since the row before.
+  bool push_from_row(std::int32_t i, int y, int z, double distance) {
+    const Steps<Dim> home = cells_.coordinates(home_[static_cast<std::size_t>(i)]);
+    Steps<Dim> cell = home;
+    if constexpr (Dim > 1) cell[1] = wrapped(home[1] + y, 1);
+    if constexpr (Dim > 2) cell[2] = wrapped(home[2] + z, 2);
+    bool overlap = false;
+    for (int x = -1; x <= 1; ++x) {
+      cell[0] = wrapped(home[0] + x, 0);
+      overlap |= push_from(i, cells_.index(cell), distance);
+    }
+    return overlap;
+  }
+
+  int wrapped(int coordinate, std::size_t axis) const {
+    const int side = box_.cells()[axis];
+    return (coordinate + side) % side;
+  }
+
   /// Pushes sphere i and those of a cell that come after it apart.
   bool push_from(std::int32_t i, std::int32_t cell, double distance) {
     bool overlap = false;
-    for (std::int32_t j = cells_.first(cell); j >= 0;) {
-      const std::int32_t following = cells_.next(j);  // a push may move j to another cell
+    for (std::int32_t j = lists_.first(cell); j >= 0;) {
+      const std::int32_t following = lists_.next(j);  // a push may move j to another cell
       if (j > i && push(i, j, distance)) overlap = true;
       j = following;
     }
@@ -112,13 +131,14 @@ class Pushing {
     std::int32_t& home = home_[static_cast<std::size_t>(i)];
     const std::int32_t cell = cell_of(position(i));
     if (cell == home) return;
-    cells_.remove(i, home);
+    lists_.remove(i, home);
     home = cell;
-    cells_.insert(i, home);
+    lists_.insert(i, home);
   }
 
   ShearBox<Dim, double> box_;
   SlidingCells<Dim> cells_;
+  CellLists lists_;
   std::vector<Vec<Dim, double>> positions_;
   std::vector<std::int32_t> home_;
 };

@@ -9,16 +9,22 @@
 
 namespace zenosphere {
 
+namespace {
+
+/// Of more spheres than this it pays to fetch what the next events need ahead of time.
+constexpr std::int32_t most_in_cache = 20000;
+
+}  // namespace
+
 template <int Dim, class Real>
-Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box,
-                                  const Configuration<Dim, Real>& start,
+Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                                   const ContactRules<Real>& rules,
                                   const Surroundings<Dim, Real>& surroundings)
-    : spheres_(box, start, surroundings.acceleration),
+    : spheres_(box, std::move(start), surroundings.acceleration),
       rules_(rules),
       surroundings_(surroundings),
       calendar_(spheres_.count()),
-      pending_(start.positions.size()) {
+      meetings_(static_cast<std::size_t>(spheres_.count())) {
   assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
   apply_models();
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
@@ -28,9 +34,10 @@ template <int Dim, class Real>
 std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(double until) {
   waiting_ = false;
   const Instant<Real> limit = instant_at(until, box().clock_unit());
-  // Without collisions the caller is asked again about once per sphere and crossing.
+  // Without collisions the caller is asked again about once per sphere that is settled.
   for (std::int32_t patience = 2 * spheres() + 1024; patience > 0 && !stopped_before_; --patience) {
     const std::int32_t i = calendar_.earliest();
+    if (spheres() > most_in_cache) fetch_ahead();
     at_rest_ = i == Calendar<Real>::kNone && !box().is_sheared();  // sliding layers do not rest
     if (at_rest_) return std::nullopt;
     const Real next =
@@ -41,16 +48,15 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(doubl
       rebase(next, limit);
       continue;
     }
-    const Pending& event = pending(i);
-    if (event.crossing < event.contact) {
-      cross(i);
-    } else if (is_stale(event)) {
-      now_.remainder = std::max(now_.remainder, next);
-      ++stale_events_;
-      predict(i);
-    } else if (event.overlapping && rules_.overlap == OverlapRule::stop) {
-      const auto [a, b] = std::minmax(i, event.partner);
-      stopped_before_ = {a, b, gap_at_last_change(a, b)};
+    const Meeting<Real>& meeting = meetings(i).first();
+    if (next < meeting.time) {
+      settle(i);
+    } else if (is_stale(meeting)) {
+      go_stale(i);
+    } else if (meeting.is_overlap() && rules_.overlap == OverlapRule::stop) {
+      const std::int32_t j = meeting.partner();
+      const auto [a, b] = std::minmax(i, j);
+      stopped_before_ = {a, b, gap_at_last_change(a, b, neighbour(a, b))};
     } else {
       return next_with(i);
     }
@@ -78,89 +84,18 @@ bool Simulation<Dim, Real>::has_reached(double time) const {
          (now_.units == wanted.units && now_.remainder >= wanted.remainder);
 }
 
-template <int Dim, class Real>
-bool Simulation<Dim, Real>::is_stale(const Pending& event) const {
-  if (wall(event.partner)) return false;
-  return spheres_[event.partner].collisions != event.partner_collisions;
-}
-
-template <int Dim, class Real>
-void Simulation<Dim, Real>::predict(std::int32_t i) {
-  spheres_.advance(spheres_[i], now_.remainder);
-  pending(i).contact = std::numeric_limits<Real>::infinity();
-  predict_crossing(i);
-  predict_contacts(i, spheres_.cells().neighbourhood());
-  if (surroundings_.walls) predict_walls(i);
-  schedule(i);
-}
-
-template <int Dim, class Real>
-void Simulation<Dim, Real>::predict_crossing(std::int32_t i) {
-  const auto crossing = spheres_.next_crossing(spheres_[i]);
-  Pending& event = pending(i);
-  event.crossing = crossing.time;
-  event.axis = static_cast<std::int8_t>(crossing.axis);
-  event.direction = static_cast<std::int8_t>(crossing.direction);
-}
-
-template <int Dim, class Real>
-void Simulation<Dim, Real>::predict_contacts(std::int32_t i,
-                                             const typename SlidingCells<Dim>::Stencil& stencil) {
-  Pending& event = pending(i);
-  const auto visit = [&](std::int32_t j, const RelativeMotion<Dim, Real>& motion) {
-    if (const auto contact = zenosphere::contact(motion)) consider(event, j, *contact);
-  };
-  spheres_.for_each_neighbour(i, stencil, now_.remainder, visit);
-}
-
-template <int Dim, class Real>
-void Simulation<Dim, Real>::predict_walls(std::int32_t i) {
-  const int axis = surroundings_.walls->axis;
-  for (const int wall : {0, 1}) {
-    const Real outward = wall == 0 ? -1 : 1;
-    const Real gap = wall_gap(i, wall, now_.remainder);
-    const Real rate = -outward * spheres_[i].velocity[axis];
-    const auto time = closing_time<Real>(gap, rate, -outward * surroundings_.acceleration[axis]);
-    if (time) consider(pending(i), spheres() + wall, {*time, gap < 0 && *time <= 0, rate});
-  }
-}
-
-/// Keeps the contact with j if it comes before the one that is pending. Walls let nobody pass.
-template <int Dim, class Real>
-void Simulation<Dim, Real>::consider(Pending& event, std::int32_t j, Contact<Real> contact) {
-  if (contact.overlapping && rules_.overlap != OverlapRule::rewind) {
-    contact.time = 0;
-    const bool may_pass = rules_.overlap == OverlapRule::guarded && !wall(j);
-    if (may_pass && !(contact.approach < -rules_.guard)) {
-      ++overlaps_ignored_;
-      return;
-    }
-  }
-  const Real time = now_.remainder + contact.time;
-  if (!(time < event.contact)) return;
-  event.contact = time;
-  event.partner = j;
-  event.partner_collisions = wall(j) ? 0 : spheres_[j].collisions;
-  event.overlapping = contact.overlapping;
-}
-
-template <int Dim, class Real>
-void Simulation<Dim, Real>::schedule(std::int32_t i) {
-  const Pending& event = pending(i);
-  calendar_.schedule(i, std::min(event.contact, event.crossing));
-}
-
 /// Does the collision that sphere i has pending.
 template <int Dim, class Real>
 Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
-  const Pending& event = pending(i);
+  const Meeting<Real>& meeting = meetings(i).first();
   Collision<Dim, Real> collision;
-  collision.overlapping = event.overlapping;
-  collision.i = std::min(i, event.partner);
-  collision.j = std::max(i, event.partner);
-  collision.gap_before = gap_at_last_change(collision.i, collision.j);
+  collision.overlapping = meeting.is_overlap();
+  collision.i = std::min(i, meeting.partner());
+  collision.j = std::max(i, meeting.partner());
+  const Neighbour neighbour = this->neighbour(collision.i, collision.j);
+  collision.gap_before = gap_at_last_change(collision.i, collision.j, neighbour);
 
-  now_.remainder = event.contact;
+  now_.remainder = meeting.time;
   collision.time = now_;
   collision.flight = elapsed(last_collision_, now_, box().clock_unit());
   collision.number = ++collisions_;
@@ -168,21 +103,21 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   if (const auto wall = this->wall(collision.j)) {
     bounce(collision, *wall);
   } else {
-    meet(collision);
+    meet(collision, neighbour);
   }
-  predict(collision.i);
-  if (!wall(collision.j)) predict(collision.j);
+  predict_from_here(collision.i);
+  if (!wall(collision.j)) predict_from_here(collision.j);
   return collision;
 }
 
 /// The collision of two spheres.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision) {
+void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision, Neighbour neighbour) {
   auto& a = spheres_[collision.i];
   auto& b = spheres_[collision.j];
   spheres_.advance(a, now_.remainder);
   spheres_.advance(b, now_.remainder);
-  const auto motion = spheres_.motion(collision.i, collision.j, now_.remainder);
+  const auto motion = spheres_.motion(collision.i, neighbour, now_.remainder);
   collision.impact = impact(motion, rules_.restitution);
   collision.change = collision.impact.normal * -collision.impact.impulse;
   if (contact_physics_) contact_physics_->amend(collision, motion.dv);
@@ -227,27 +162,27 @@ Real Simulation<Dim, Real>::wall_gap(std::int32_t i, int wall, const Real& when)
   return wall == 0 ? place - Real(0.5) : (box().sides()[axis] - Real(0.5)) - place;
 }
 
+/// How sphere i sees the sphere j that it meets; of no meaning where j is a wall.
 template <int Dim, class Real>
-Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j) const {
+Neighbour Simulation<Dim, Real>::neighbour(std::int32_t i, std::int32_t j) const {
+  return wall(j) ? Neighbour() : spheres_.neighbour(i, j, now_.remainder);
+}
+
+template <int Dim, class Real>
+Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j,
+                                               Neighbour neighbour) const {
   const Real when = last_change_.remainder +
                     static_cast<Real>(last_change_.units - now_.units) * box().clock_unit();
   if (const auto wall = this->wall(j)) return wall_gap(i, *wall, when);
-  return gap(spheres_.motion(i, j, when).dr);
+  return gap(spheres_.shortest_image(spheres_.motion(i, neighbour, when).dr, when));
 }
 
-/// Moves a sphere to the adjacent cell; one that is late by rounding moves at once.
+/// Settles a sphere again; one that is late by rounding at once.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::cross(std::int32_t i) {
-  ++cell_crossings_;
-  const Pending& event = pending(i);
-  now_.remainder = std::max(now_.remainder, event.crossing);
-  spheres_.advance(spheres_[i], now_.remainder);
-  const int axis = event.axis;
-  const int direction = event.direction;
-  spheres_.cross(i, {event.crossing, axis, direction}, now_.remainder);
-  predict_crossing(i);
-  predict_contacts(i, spheres_.cells().new_after_crossing(axis, direction));
-  schedule(i);
+void Simulation<Dim, Real>::settle(std::int32_t i) {
+  ++settlings_;
+  now_.remainder = std::max(now_.remainder, calendar_.time(i));
+  predict_new(i, spheres_.settle(i, now_.remainder));
 }
 
 /// Sets the clock and all times back by whole units; the layers slide by as many cells.
@@ -264,15 +199,35 @@ void Simulation<Dim, Real>::rebase(const Real& next_event, const Instant<Real>& 
   now_.units += units;
   now_.remainder = std::max(Real(0), Real(now_.remainder - span));
   spheres_.set_back(span);
-  for (Pending& event : pending_) {
-    event.contact -= span;
-    event.crossing -= span;
-  }
+  for (NextMeetings<Real>& next : meetings_) next.set_back(span);
   calendar_.set_back(span);
-  if (!box().is_sheared()) return;
-  for (std::int32_t i = 0; i < spheres(); ++i) {
-    predict_contacts(i, spheres_.cells().new_after_slide());
-    schedule(i);
+}
+
+/// Fetches what the next events need into the cache, in steps: what is found there tells what to
+/// fetch next. Events come at about one a bin.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::fetch_ahead() {
+  constexpr std::int32_t far = 24;
+  constexpr std::int32_t middle = 14;
+  constexpr std::int32_t near = 7;
+  const auto fetch = [this](std::int32_t i) {
+    spheres_.prefetch(i);
+    calendar_.prefetch(i);
+    __builtin_prefetch(&meetings(i));
+  };
+  if (const std::int32_t i = calendar_.soon(far); i >= 0) fetch(i);
+  if (const std::int32_t i = calendar_.soon(middle); i >= 0) {
+    spheres_.prefetch_neighbours(i);
+    const bool settles = calendar_.time(i) < meetings(i).first().time;
+    if (settles) {
+      spheres_.prefetch_cells(i);
+    } else if (!wall(meetings(i).first().partner())) {
+      fetch(meetings(i).first().partner());
+    }
+  }
+  if (const std::int32_t i = calendar_.soon(near); i >= 0) {
+    const std::int32_t partner = meetings(i).first().partner();
+    if (partner >= 0 && !wall(partner)) spheres_.prefetch_neighbours(partner);
   }
 }
 

@@ -1,12 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/calendar.hpp"
 #include "engine/configuration.hpp"
 #include "engine/contact_physics.hpp"
+#include "engine/contacts_ahead.hpp"
+#include "engine/large_vector.hpp"
+#include "engine/neighbour_lists.hpp"
+#include "engine/next_meetings.hpp"
 #include "engine/spheres.hpp"
 #include "model/collision.hpp"
 #include "model/contact_models.hpp"
@@ -34,10 +40,10 @@ struct Surroundings {
 
 /// Event-driven dynamics of smooth inelastic hard spheres.
 ///
-/// Every sphere has one pending event, its earliest: a contact, with a sphere or a wall, or the
-/// crossing of a cell face. A pair is looked after by the sphere that was predicted later; a
-/// contact whose partner has collided since is stale and leads to a new prediction when it comes
-/// up.
+/// Every sphere has one pending event: its first meeting, with a sphere or a wall, or the moment at
+/// which it has to be settled again (see Spheres). A pair is looked after by the sphere that was
+/// predicted later; a meeting whose partner has collided since is stale, and the second meeting of
+/// the sphere takes its place, or a new prediction (see NextMeetings).
 ///
 /// Source: Rapaport, The Art of Molecular Dynamics Simulation (2004), ch. 14; one event per
 /// sphere: Lubachevsky, J. Comput. Phys. 94 (1991) 255.
@@ -49,7 +55,7 @@ class Simulation {
   /// \param box           the box at strain 0
   /// \param start         equally many positions and velocities, at least one
   /// \param surroundings  with walls exactly where the box is closed
-  Simulation(const ShearBox<Dim, Real>& box, const Configuration<Dim, Real>& start,
+  Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
              const ContactRules<Real>& rules, const Surroundings<Dim, Real>& surroundings = {});
 
   /// The simulation that an archive holds; it goes on bit for bit as the archived one would.
@@ -125,7 +131,7 @@ class Simulation {
 
   /// Predictions that OverlapRule::guarded let pass.
   std::int64_t overlaps_ignored() const { return overlaps_ignored_; }
-  std::int64_t cell_crossings() const { return cell_crossings_; }
+  std::int64_t settlings() const { return settlings_; }
   std::int64_t stale_events() const { return stale_events_; }
 
   /// What the contact models have done, where there are any.
@@ -155,35 +161,24 @@ class Simulation {
   }
 
  private:
-  struct Pending {
-    Real contact;   ///< remainder of the clock; infinity: none
-    Real crossing;  ///< likewise
-    std::int32_t partner;
-    std::uint32_t partner_collisions;
-    std::int8_t axis;       ///< of the crossing
-    std::int8_t direction;  ///< likewise
-    bool overlapping;
-
-    template <class Self, class Archive>
-    static void archive_state(Self& self, Archive& archive) {
-      archive(self.contact, self.crossing, self.partner, self.partner_collisions, self.axis,
-              self.direction, self.overlapping);
-    }
-  };
-
   void predict(std::int32_t i);
-  void predict_crossing(std::int32_t i);
-  void predict_contacts(std::int32_t i, const typename SlidingCells<Dim>::Stencil& stencil);
-  void predict_walls(std::int32_t i);
-  void consider(Pending& pending, std::int32_t j, Contact<Real> contact);
-  bool is_stale(const Pending& pending) const;
+  void predict_from_here(std::int32_t i);
+  void predict_new(std::int32_t i, std::span<const Neighbour> neighbours);
+  void find_walls(std::int32_t i, ContactsAhead<Real>& ahead) const;
+  bool is_overlap(std::int32_t i, const ContactsAhead<Real>& ahead, int number) const;
+  void apply_overlap_rule(ContactsAhead<Real>& ahead);
+  Meeting<Real> meeting(std::int32_t i, const ContactsAhead<Real>& ahead, int number) const;
+  bool is_stale(const Meeting<Real>& meeting) const;
+  void go_stale(std::int32_t i);
+  void fetch_ahead();
 
   Collision<Dim, Real> next_with(std::int32_t i);
-  void meet(Collision<Dim, Real>& collision);
+  void meet(Collision<Dim, Real>& collision, Neighbour neighbour);
   void bounce(Collision<Dim, Real>& collision, int wall);
   Real wall_gap(std::int32_t i, int wall, const Real& when) const;
-  Real gap_at_last_change(std::int32_t i, std::int32_t j) const;
-  void cross(std::int32_t i);
+  Neighbour neighbour(std::int32_t i, std::int32_t j) const;
+  Real gap_at_last_change(std::int32_t i, std::int32_t j, Neighbour neighbour) const;
+  void settle(std::int32_t i);
   void rebase(const Real& next_event, const Instant<Real>& limit);
   void schedule(std::int32_t i);
   bool is_past(const Instant<Real>& limit, const Real& next) const;
@@ -197,9 +192,8 @@ class Simulation {
   /// What a checkpoint holds besides the spheres and their pending events.
   template <class Self, class Archive>
   static void archive_clock(Self& self, Archive& archive) {
-    archive(self.now_, self.last_collision_, self.last_change_, self.collisions_,
-            self.cell_crossings_, self.stale_events_, self.overlaps_ignored_, self.stopped_before_,
-            self.at_rest_);
+    archive(self.now_, self.last_collision_, self.last_change_, self.collisions_, self.settlings_,
+            self.stale_events_, self.overlaps_ignored_, self.stopped_before_, self.at_rest_);
   }
 
   void apply_models() {
@@ -207,21 +201,22 @@ class Simulation {
     contact_physics_.emplace(rules_.models, rules_.restitution, spheres(), box().clock_unit());
   }
 
-  Pending& pending(std::int32_t i) { return pending_[static_cast<std::size_t>(i)]; }
+  NextMeetings<Real>& meetings(std::int32_t i) { return meetings_[static_cast<std::size_t>(i)]; }
 
   Spheres<Dim, Real> spheres_;
   ContactRules<Real> rules_;
   Surroundings<Dim, Real> surroundings_;
   std::optional<ContactPhysics<Dim, Real>> contact_physics_;  ///< only with contact models
   Calendar<Real> calendar_;
-  std::vector<Pending> pending_;
+  LargeVector<NextMeetings<Real>> meetings_;
   Instant<Real> now_;
   Instant<Real> last_collision_;
   Instant<Real> last_change_;  ///< of velocities: the last collision or kick
   std::int64_t collisions_ = 0;
-  std::int64_t cell_crossings_ = 0;
+  std::int64_t settlings_ = 0;
   std::int64_t stale_events_ = 0;
   std::int64_t overlaps_ignored_ = 0;
+  ContactsAhead<Real> ahead_;  ///< scratch
   std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;
   bool waiting_ = false;

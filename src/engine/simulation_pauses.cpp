@@ -20,7 +20,7 @@ void Simulation<Dim, Real>::wait_until(double time) {
 
 template <int Dim, class Real>
 void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
-  assert(changes.size() == pending_.size());
+  assert(changes.size() == meetings_.size());
   for (std::int32_t i = 0; i < spheres(); ++i) {
     spheres_.advance(spheres_[i], now_.remainder);
     spheres_[i].velocity += changes[static_cast<std::size_t>(i)];

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <optional>
-#include <vector>
 
+#include "engine/way.hpp"
 #include "model/shear_box.hpp"
 
 namespace zenosphere {
 
-/// Which spheres are in which cell, and which cells are neighbours while the layers slide.
+/// Which cells are neighbours while the layers slide.
 ///
 /// Cells are numbered along x first. A column of layer k + 1 that starts above column c of layer k
 /// has slid by whole cells and a fraction after a while; the whole cells are kept here, the
@@ -19,146 +17,114 @@ namespace zenosphere {
 template <int Dim>
 class SlidingCells {
  public:
-  static constexpr std::int32_t kNone = -1;
-
-  /// Cells side by side along x in one row of a neighbourhood.
-  struct Row {
-    Steps<Dim> steps;  ///< to the row; zero along x
-    int from;          ///< first column, relative to where the row has slid
-    int to;            ///< last column
-  };
-  using Stencil = std::vector<Row>;
-
   /// \param cells    number of cells along each axis, >= 2
-  /// \param sliding  whether layers slide against each other, which widens the neighbourhood
-  /// \param closed_axis  the axis along which the last layer stays empty and no way leads around
-  SlidingCells(const Steps<Dim>& cells, bool sliding, std::int32_t spheres,
-               std::optional<int> closed_axis = std::nullopt);
+  explicit SlidingCells(const Steps<Dim>& cells) : cells_(cells) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      strides_[axis] = count_;
+      per_stride_[axis] = 1.0 / count_;
+      count_ *= cells[axis];
+    }
+  }
 
-  std::int32_t count() const { return static_cast<std::int32_t>(first_.size()); }
+  std::int32_t count() const { return count_; }
   std::int32_t index(const Steps<Dim>& coordinates) const {
     std::int32_t cell = 0;
     for (std::size_t axis = 0; axis < Dim; ++axis) cell += coordinates[axis] * strides_[axis];
     return cell;
   }
-  const Steps<Dim>& coordinates(std::int32_t cell) const {
-    return coordinates_[static_cast<std::size_t>(cell)];
+  Steps<Dim> coordinates(std::int32_t cell) const {
+    Steps<Dim> coordinates{};
+    for (std::size_t axis = Dim - 1; axis > 0; --axis) {
+      // A quotient of integers below 2^31 by way of a product in double: exact, and no division.
+      coordinates[axis] = static_cast<int>((cell + 0.5) * per_stride_[axis]);
+      cell -= coordinates[axis] * strides_[axis];
+    }
+    coordinates[0] = cell;
+    return coordinates;
   }
 
-  /// A cell as it lies beside another one.
-  struct Neighbour {
-    std::int32_t cell;
-    Steps<Dim> lag;  ///< what the difference of the cells' coordinates lacks of the way to it
+  /// Columns of a row, counted from the one that lies beside a cell when no layer has slid by a
+  /// fraction of a cell.
+  struct Columns {
+    int from;
+    int to;
   };
-
-  /// The cell that lies `steps` away from `cell` now; at most as far as a stencil reaches.
-  Neighbour neighbour(std::int32_t cell, const Steps<Dim>& steps) const {
-    Steps<Dim> target = coordinates(cell);
-    // A layer that has slid to the right is met at a column further left.
-    target[0] = wrapped(target[0] - layers(steps) * whole_slide_, cells_[0]);
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      target[axis] = wrapped(target[axis] + steps[axis], cells_[axis]);
-    }
-    const std::int32_t found = index(target);
-    return {found, lag(cell, found, steps)};
-  }
-
-  /// Calls `visit(first, last, lag)` for the runs of cells `first`, first + 1, ... `last` that make
-  /// up a row beside `cell`: one, or two where the row leads through a face of the box.
-  template <class Visit>
-  void for_each_run(std::int32_t cell, const Row& row, Visit visit) const {
-    const Steps<Dim>& home = coordinates(cell);
-    Steps<Dim> lag{};
-    std::int32_t base = 0;
-    for (std::size_t axis = 1; axis < Dim; ++axis) {
-      const int target = wrapped(home[axis] + row.steps[axis], cells_[axis]);
-      base += target * strides_[axis];
-      lag[axis] = row.steps[axis] - (target - home[axis]);
-    }
-    const int side = cells_[0];
-    const int start = wrapped(home[0] - layers(row.steps) * whole_slide_, side);
-    for (int from = row.from; from <= row.to;) {
-      const int first = wrapped(start + from, side);
-      const int count = std::min(row.to - from + 1, side - first);
-      lag[0] = from - (first - home[0]);
-      visit(base + first, base + first + count - 1, lag);
-      from += count;
-    }
-  }
-
-  /// What the difference of the coordinates of two cells lacks of a way, of any length, between
-  /// them.
-  Steps<Dim> lag(std::int32_t from, std::int32_t to, const Steps<Dim>& steps) const {
-    Steps<Dim> lag = steps;
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      lag[axis] -= coordinates(to)[axis] - coordinates(from)[axis];
-    }
-    return lag;
-  }
+  /// Those of the layers below, beside and above.
+  using Reach = std::array<Columns, 3>;
 
   /// Steps along the gradient direction: how many layers up.
   static int layers(const Steps<Dim>& steps) { return Dim > 1 ? steps[Dim > 1 ? 1 : 0] : 0; }
 
-  /// The shortest way from one cell to another along an axis; ties go to the negative side.
-  ///
-  /// \param layers  how many layers up the way leads: along x the slide counts
-  int steps_between(std::int32_t from, std::int32_t to, int axis, int layers) const;
-
-  /// Spheres of a cell: for (id = first(cell); id != kNone; id = next(id)).
-  std::int32_t first(std::int32_t cell) const { return first_[static_cast<std::size_t>(cell)]; }
-  std::int32_t next(std::int32_t sphere) const { return next_[static_cast<std::size_t>(sphere)]; }
-
-  void insert(std::int32_t sphere, std::int32_t cell);
-  void remove(std::int32_t sphere, std::int32_t cell);
-
-  /// Every layer has slid by one more whole cell against the layer below it.
-  void slide_by_one_cell();
-
-  /// Whole cells that a layer has slid, in [0, number of columns).
-  int whole_slide() const { return whole_slide_; }
-
-  /// All spheres, cell by cell and as each cell lists them: equal contact times are told apart by
-  /// that order, so that a checkpoint has to keep it.
-  std::vector<std::int32_t> order() const;
-
-  /// Restores slide and lists of new cells, without spheres, from those of others.
-  ///
-  /// \param order       each sphere once
-  /// \param cell_of     the cell of a sphere
-  void restore(int whole_slide, const std::vector<std::int32_t>& order,
-               const std::function<std::int32_t(std::int32_t)>& cell_of);
-
-  /// All cells whose spheres can be touched from a cell during one clock unit: its own row of
-  /// three and, under shear, four of each adjacent row, since the slide is a fraction of a cell.
-  const Stencil& neighbourhood() const { return neighbourhood_; }
-
-  /// The part of the neighbourhood that is new to a sphere after it crossed a face of its cell.
-  /// \param direction  -1 or +1
-  const Stencil& new_after_crossing(int axis, int direction) const {
-    return after_crossing_[static_cast<std::size_t>(2 * axis + (direction > 0 ? 1 : 0))];
+  /// Calls `visit(first, last, way, steps to the first)` for the runs of cells `first`, first + 1,
+  /// ... `last` that make up the rows beside the cell at `home`. In a narrow box a row may lead
+  /// through a cell more than once, on another way.
+  template <class Visit>
+  void for_each_run(const Steps<Dim>& home, const Reach& reach, Visit visit) const {
+    constexpr std::size_t y = Dim > 1 ? 1 : 0;
+    constexpr std::size_t z = Dim > 2 ? 2 : 0;
+    constexpr int aside_y = Dim > 1 ? 1 : 0;
+    constexpr int aside_z = Dim > 2 ? 1 : 0;
+    struct Run {
+      int column;
+      int count;
+      int steps;  ///< to the first column
+      Way way;    ///< as far as it leads along x and between layers
+    };
+    std::array<Run, 8> runs;
+    const int side = cells_[0];
+    for (int layers = -aside_y; layers <= aside_y; ++layers) {
+      int period_y = 0;
+      std::int32_t layer = 0;
+      if constexpr (Dim > 1) layer = wrapped(home[y] + layers, cells_[y], period_y) * strides_[y];
+      // A layer that has slid to the right is met at a column further left.
+      const auto [from, to] = reach[static_cast<std::size_t>(layers + 1)];
+      int column = home[0] - layers * whole_slide_ + from;
+      int boxes = 0;
+      for (; column < 0; column += side) --boxes;
+      for (; column >= side; column -= side) ++boxes;
+      std::size_t count = 0;
+      for (int left = to - from + 1; left > 0; ++count, ++boxes, column = 0) {
+        const int run = std::min(left, side - column);
+        Steps<Dim> periods{boxes};
+        if constexpr (Dim > 1) periods[1] = period_y;
+        runs[count] = {column, run, to - left + 1, Way(periods, layers)};
+        left -= run;
+      }
+      for (int row = -aside_z; row <= aside_z; ++row) {
+        std::int32_t base = layer;
+        int period_z = 0;
+        if constexpr (Dim > 2) base += wrapped(home[z] + row, cells_[z], period_z) * strides_[z];
+        for (std::size_t k = 0; k < count; ++k) {
+          const std::int32_t first = base + runs[k].column;
+          Steps<Dim> steps{};
+          steps[0] = runs[k].steps;
+          if constexpr (Dim > 1) steps[1] = layers;
+          if constexpr (Dim > 2) steps[2] = row;
+          visit(first, first + runs[k].count - 1, runs[k].way.beyond_z(period_z), steps);
+        }
+      }
+    }
   }
 
-  /// The part of the neighbourhood that is new to every sphere after slide_by_one_cell().
-  const Stencil& new_after_slide() const { return after_slide_; }
+  /// Whole cells by which a layer has slid against the one below it; in [0, cells along x).
+  int whole_slide() const { return whole_slide_; }
+  void slide_to(int whole_cells) { whole_slide_ = whole_cells; }
+
+  /// Every layer has slid by one more whole cell against the layer below it.
+  void slide_by_one_cell() { whole_slide_ = whole_slide_ + 1 == cells_[0] ? 0 : whole_slide_ + 1; }
 
  private:
-  void build_stencils(bool sliding);
-
-  static int wrapped(int coordinate, int side) {
-    return coordinate < 0 ? coordinate + side : coordinate >= side ? coordinate - side : coordinate;
+  /// A coordinate at most one step outside, put into the box; and where it was outside.
+  static int wrapped(int coordinate, int side, int& periods) {
+    periods = coordinate < 0 ? -1 : coordinate >= side ? 1 : 0;
+    return coordinate - periods * side;
   }
 
   Steps<Dim> cells_;
-  std::optional<int> closed_axis_;
   std::array<std::int32_t, Dim> strides_{};
-  int whole_slide_ = 0;  ///< in [0, cells_[0])
-  std::vector<std::int32_t> first_;
-  std::vector<std::int32_t> next_;
-  std::vector<std::int32_t> prev_;
-  std::vector<Steps<Dim>> coordinates_;
-  Stencil neighbourhood_;
-  std::array<Stencil, 2 * Dim> after_crossing_;
-  Stencil after_slide_;
+  std::array<double, Dim> per_stride_{};
+  int whole_slide_ = 0;
+  std::int32_t count_ = 1;
 };
 
 }  // namespace zenosphere

@@ -1,26 +1,50 @@
 #include "engine/spheres.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "engine/wide_lanes.hpp"
 #include "model/instantiate.hpp"
-#include "model/walls.hpp"
 
 namespace zenosphere {
 
 template <int Dim, class Real>
-Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Configuration<Dim, Real>& start,
+Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                             const Vector& acceleration)
-    : box_(box),
-      cells_(box.cells(), box.is_sheared(), static_cast<std::int32_t>(start.positions.size()),
-             box.closed_axis()),
-      acceleration_(acceleration),
-      falls_(!(acceleration == Vector{})),
-      spheres_(start.positions.size()) {
+    : Spheres(LargeVector<Sphere>(start.positions.size()), box, acceleration) {
   assert(start.positions.size() == start.velocities.size());
   place(start);
+  start = {};  // whose memory the lists can use
+  for (std::int32_t i = 0; i < count(); ++i) {
+    // As if it had been alone until now.
+    anchor_cells_.remove(i, (*this)[i].cell);
+    lists_.replace(i, neighbours_of(i, 0));
+    anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+  }
+}
+
+/// Spheres that are in no cell and on no list yet.
+template <int Dim, class Real>
+Spheres<Dim, Real>::Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Real>& box,
+                            const Vector& acceleration)
+    : box_(box),
+      cells_(box.cells()),
+      acceleration_(acceleration),
+      falls_(!(acceleration == Vector{})),
+      lanes_are_wide_(!falls_ && has_wide_lanes()),
+      settling_(settling_in(box, static_cast<std::int32_t>(spheres.size()))),
+      spheres_(std::move(spheres)),
+      anchors_(spheres_.size()),
+      lists_(count(), settling_.neighbours),
+      anchor_cells_(cells_.count()) {
+  for (int axis = 0; axis < Dim; ++axis) {
+    cell_grains_[static_cast<std::size_t>(axis)] =
+        static_cast<int>(static_cast<double>(box_.cell_width()[axis]) / settling_.grain + 0.5);
+  }
+  find_images();
 }
 
 template <int Dim, class Real>
@@ -39,94 +63,87 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
     }
     sphere.position = position;
     sphere.cell = cells_.index(coordinates);
-    cells_.insert(i, sphere.cell);
     sphere.velocity = start.velocities[static_cast<std::size_t>(i)];
     sphere.velocity[0] += profile_in_layer(sphere, 0);
+    drop_anchor(i, 0);
+    anchor_cells_.insert(i, sphere.cell, anchor(i));
+  }
+}
+
+/// How the coordinates of a neighbour are seen, for each way there, at remainder 0.
+template <int Dim, class Real>
+void Spheres<Dim, Real>::find_images() {
+  for (std::int32_t code = 0; code < Way::count; ++code) {
+    const Way way = Way::from_code(code);
+    Steps<Dim> lag{};
+    for (int axis = 0; axis < Dim; ++axis) {
+      lag[static_cast<std::size_t>(axis)] =
+          way.periods(axis) * box_.cells()[static_cast<std::size_t>(axis)];
+    }
+    lag[0] += way.layers() * cells_.whole_slide();
+    images_[static_cast<std::size_t>(code)] = box_.image(lag, way.layers(), 0);
   }
 }
 
 template <int Dim, class Real>
-RelativeMotion<Dim, Real> Spheres<Dim, Real>::motion(std::int32_t i, std::int32_t j,
-                                                     const Real& when) const {
+Neighbour Spheres<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const Real& when) const {
+  const auto neighbours = lists_.of(i);
+  std::uint64_t places = lists_.places(i, j);
+  if (places == 0) return nearest_image(i, j, when);
+  Neighbour nearest = neighbours[static_cast<std::size_t>(std::countr_zero(places))];
+  places &= places - 1;
+  if (places == 0) [[likely]]
+    return nearest;
+  for (; places != 0; places &= places - 1) {
+    const Neighbour other = neighbours[static_cast<std::size_t>(std::countr_zero(places))];
+    if (square(i, other, when) < square(i, nearest, when)) nearest = other;
+  }
+  return nearest;
+}
+
+/// As neighbour(), whether or not it is on a list: of all ways that lead from one layer to the
+/// other.
+template <int Dim, class Real>
+Neighbour Spheres<Dim, Real>::nearest_image(std::int32_t i, std::int32_t j,
+                                            const Real& when) const {
+  const Steps<Dim> from = cells_.coordinates((*this)[i].cell);
+  const Steps<Dim> to = cells_.coordinates((*this)[j].cell);
+  Neighbour nearest(j, Way());
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::int32_t code = 0; code < Way::count; ++code) {
+    const Way way = Way::from_code(code);
+    if constexpr (Dim > 1) {
+      if (to[1] + way.periods(1) * box_.cells()[1] - from[1] != way.layers()) continue;
+    }
+    const Real distance = square(i, Neighbour(j, way), when);
+    if (!(distance < least)) continue;
+    least = distance;
+    nearest = Neighbour(j, way);
+  }
+  return nearest;
+}
+
+template <int Dim, class Real>
+Vec<Dim, Real> Spheres<Dim, Real>::shortest_image(Vector way, const Real& when) const {
   using std::floor;
-  const Sphere& a = (*this)[i];
-  const Sphere& b = (*this)[j];
-  const Vector dr = position_at(b, when) - position_at(a, when);
-  const auto image = [&](const Steps<Dim>& way) {
-    return box_.image(cells_.lag(a.cell, b.cell, way), cells_.layers(way), when);
-  };
-  Steps<Dim> steps{};
   for (int axis = Dim - 1; axis >= 0; --axis) {  // layers first: they decide about the columns
-    const auto index = static_cast<std::size_t>(axis);
-    steps[index] = cells_.steps_between(a.cell, b.cell, axis, cells_.layers(steps));
     if (box_.is_closed(axis)) continue;
-    // The way between the spheres may lead around the box: in one of few cells, or after a long
-    // flight. Ten thousand periods bound the integers; no gap so long ago has a meaning.
-    const Real distance = dr[axis] + image(steps).position[axis];
-    const Real periods = floor(static_cast<Real>(distance / box_.sides()[axis] + Real(0.5)));
-    steps[index] -=
-        box_.cells()[index] * static_cast<int>(std::clamp(periods, Real(-10000), Real(10000)));
-  }
-  const auto [position, velocity] = image(steps);
-  RelativeMotion<Dim, Real> motion{dr + position, velocity_at(b, when) - velocity_at(a, when)};
-  motion.dv[0] += velocity;
-  return motion;
-}
-
-template <int Dim, class Real>
-typename Spheres<Dim, Real>::Crossing Spheres<Dim, Real>::next_crossing(
-    const Sphere& sphere) const {
-  Crossing first{std::numeric_limits<Real>::infinity()};
-  for (int axis = 0; axis < Dim; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    const int lower = cells_.coordinates(sphere.cell)[a];
-    for (const int direction : {-1, 1}) {
-      const int face = direction > 0 ? lower + 1 : lower;
-      // A closed axis has one empty layer, so that its upper wall is at the last but one face.
-      if (box_.is_closed(axis) && (face == 0 || face == box_.cells()[a] - 1)) continue;
-      const Real place = face * box_.cell_width()[axis];
-      const auto time =
-          closing_time<Real>(direction * (place - sphere.position[axis]),
-                             -direction * sphere.velocity[axis], -direction * acceleration_[axis]);
-      if (time && sphere.time + *time < first.time) first = {sphere.time + *time, axis, direction};
+    const Real& side = box_.sides()[axis];
+    const Real periods = floor(static_cast<Real>(way[axis] / side + Real(0.5)));
+    if (periods == 0) continue;
+    way[axis] -= periods * side;
+    if (axis == 1) {
+      const Real slide = cells_.whole_slide() * box_.cell_width()[0] + box_.slide_speed() * when;
+      way[0] -= periods * (box_.cells()[1] * slide);
     }
   }
-  return first;
+  return way;
 }
 
 template <int Dim, class Real>
-void Spheres<Dim, Real>::cross(std::int32_t i, const Crossing& crossing, const Real& when) {
-  Sphere& sphere = (*this)[i];
-  Steps<Dim> steps{};
-  steps[static_cast<std::size_t>(crossing.axis)] = crossing.direction;
-  if (crossing.axis == 1 && box_.is_sheared()) {
-    steps[0] = column_beyond(sphere, crossing.direction, when);
-  }
-  const auto [cell, lag] = cells_.neighbour(sphere.cell, steps);
-  const auto image = box_.image(lag, cells_.layers(steps), when);
-  sphere.position -= image.position;
-  sphere.velocity[0] -= image.velocity;
-  cells_.remove(i, sphere.cell);
-  sphere.cell = cell;
-  cells_.insert(i, cell);
-}
-
-/// The step along x, -1, 0 or 1, at which a sphere arrives in the layer above or below.
-template <int Dim, class Real>
-int Spheres<Dim, Real>::column_beyond(const Sphere& sphere, int layers, const Real& when) const {
-  const Real& width = box_.cell_width()[0];
-  const Real slide = layers * (box_.slide_speed() * when);
-  const Real from_left = sphere.position[0] - cells_.coordinates(sphere.cell)[0] * width;
-  const Real columns = static_cast<Real>((from_left - slide) / width);
-  // The slide is below one cell, so that only rounding could lead beyond two columns.
-  if (layers > 0) return columns < 0 ? -1 : 0;
-  return columns < 1 ? 0 : 1;
-}
-
-template <int Dim, class Real>
-void Spheres<Dim, Real>::set_back(const Real& span) {
-  for (Sphere& sphere : spheres_) sphere.time -= span;
-  if (box_.is_sheared()) cells_.slide_by_one_cell();
+Real Spheres<Dim, Real>::square(std::int32_t i, Neighbour neighbour, const Real& when) const {
+  const Vector dr = motion(i, neighbour, when).dr;
+  return dot(dr, dr);
 }
 
 template <int Dim, class Real>
@@ -187,8 +204,10 @@ Configuration<Dim, Real> Spheres<Dim, Real>::configuration(std::int64_t units,
   Configuration<Dim, Real> state;
   state.positions.reserve(spheres_.size());
   state.velocities.reserve(spheres_.size());
-  for (const Sphere& sphere : spheres_) {
-    Vector position = position_at(sphere, when);
+  for (Sphere sphere : spheres_) {
+    advance(sphere, when);
+    go_home(sphere, when);
+    Vector position = sphere.position;
     if constexpr (Dim > 1) {
       // The frame of layer k moves with its mid-plane; the middle of the box is at rest.
       const Real layer = cells_.coordinates(sphere.cell)[1] + Real(0.5) - box_.cells()[1] / Real(2);

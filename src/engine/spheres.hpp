@@ -1,10 +1,20 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 #include <vector>
 
+#include "engine/anchor_cells.hpp"
 #include "engine/configuration.hpp"
+#include "engine/contacts_ahead.hpp"
+#include "engine/large_vector.hpp"
+#include "engine/neighbour_lists.hpp"
+#include "engine/settling.hpp"
 #include "engine/sliding_cells.hpp"
+#include "engine/sphere.hpp"
+#include "engine/wide_contacts.hpp"
 #include "model/archive.hpp"
 #include "model/contact.hpp"
 #include "model/shear_box.hpp"
@@ -14,36 +24,26 @@ namespace zenosphere {
 /// The spheres in their box: where each one is at any moment between two events, and who is near.
 ///
 /// Every sphere is stored as it was at its own last event; `when` is always a remainder of the
-/// clock. Positions are box coordinates, x in the frame of the sphere's layer. Nothing in here
-/// knows about collisions or the order of events.
+/// clock. Positions are box coordinates, x in the frame of the sphere's layer.
+///
+/// A sphere is *settled* now and then: it gets the cell it is in, an anchor where it is, and a list
+/// of all who can touch it while both stay within reach of their anchors. When it leaves that ball,
+/// or the layers have slid on by half a cell, it has to be settled again. Until then cell and frame
+/// stay, also where the sphere is already a little outside. Nothing in here knows about
+/// collisions or the order of events.
+///
+/// Source: neighbour lists in event-driven dynamics: Donev, Torquato & Stillinger, J. Comput. Phys.
+/// 202 (2005) 737. That each is renewed alone, and the frames that slide, are ours.
 template <int Dim, class Real>
 class Spheres {
  public:
   using Vector = Vec<Dim, Real>;
-  using Stencil = typename SlidingCells<Dim>::Stencil;
+  using Sphere = zenosphere::Sphere<Dim, Real>;
 
-  struct Sphere {
-    Vector position;  ///< at `time`; within the faces of the cell
-    Vector velocity;  ///< at `time`, in the frame of the layer
-    Real time;        ///< remainder of the clock
-    std::int32_t cell;
-    std::uint32_t collisions;
-
-    template <class Self, class Archive>
-    static void archive_state(Self& self, Archive& archive) {
-      archive(self.position, self.velocity, self.time, self.cell, self.collisions);
-    }
-  };
-
-  /// A face of a sphere's cell and when the sphere passes it; infinity: never.
-  struct Crossing {
-    Real time;
-    int axis = 0;
-    int direction = 0;  ///< -1 or +1
-  };
-
+  /// Settles all spheres at remainder 0.
+  ///
   /// \param acceleration  of every sphere, diameters/time^2
-  Spheres(const ShearBox<Dim, Real>& box, const Configuration<Dim, Real>& start,
+  Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
           const Vector& acceleration);
 
   /// Spheres in the state that an archive holds. Throws ArchiveError where that cannot be.
@@ -54,7 +54,6 @@ class Spheres {
   Sphere& operator[](std::int32_t i) { return spheres_[static_cast<std::size_t>(i)]; }
   const Sphere& operator[](std::int32_t i) const { return spheres_[static_cast<std::size_t>(i)]; }
   const ShearBox<Dim, Real>& box() const { return box_; }
-  const SlidingCells<Dim>& cells() const { return cells_; }
   const Vector& acceleration() const { return acceleration_; }
 
   Vector position_at(const Sphere& sphere, const Real& when) const {
@@ -75,46 +74,71 @@ class Spheres {
     sphere.time = when;
   }
 
-  /// Motion of j relative to i at `when`, in the nearest image.
-  RelativeMotion<Dim, Real> motion(std::int32_t i, std::int32_t j, const Real& when) const;
+  /// How i sees j, a neighbour; in a narrow box, where several ways lead there, the nearest one.
+  Neighbour neighbour(std::int32_t i, std::int32_t j, const Real& when) const;
 
-  /// Calls `visit(j, motion of j relative to i)` for every sphere in the given part of the
-  /// neighbourhood, in the image in which its cell lies there.
-  template <class Visit>
-  void for_each_neighbour(std::int32_t i, const Stencil& stencil, const Real& when,
-                          Visit visit) const {
-    const Sphere& sphere = (*this)[i];
-    const Vector position = position_at(sphere, when);
-    const Vector velocity = velocity_at(sphere, when);
-    const auto visit_run = [&](std::int32_t first, std::int32_t last, const Steps<Dim>& lag,
-                               int layers) {
-      const auto image = box_.image(lag, layers, when);
-      for (std::int32_t cell = first; cell <= last; ++cell) {
-        for (std::int32_t j = cells_.first(cell); j != SlidingCells<Dim>::kNone;
-             j = cells_.next(j)) {
-          if (j == i) continue;
-          const Sphere& other = (*this)[j];
-          RelativeMotion<Dim, Real> motion{(position_at(other, when) - position) + image.position,
-                                           velocity_at(other, when) - velocity};
-          motion.dv[0] += image.velocity;
-          visit(j, motion);
-        }
+  /// Motion of a neighbour relative to i at `when`.
+  RelativeMotion<Dim, Real> motion(std::int32_t i, Neighbour neighbour, const Real& when) const {
+    return motion_from(viewpoint(i, when), neighbour);
+  }
+
+  /// The shortest of the periodic images of a way between two spheres at `when`, axis by axis.
+  Vector shortest_image(Vector way, const Real& when) const;
+
+  std::span<const Neighbour> neighbours(std::int32_t i) const { return lists_.of(i); }
+
+  /// Adds the contacts of i with these neighbours, counted from `when`.
+  void find_contacts(std::int32_t i, std::span<const Neighbour> neighbours, const Real& when,
+                     ContactsAhead<Real>& ahead) const {
+    const Viewpoint<Dim, Real> here = viewpoint(i, when);
+    if constexpr (Dim == 3 && std::is_same_v<Real, double>) {
+      if (lanes_are_wide_) {
+        find_contacts_wide(spheres_.data(), neighbours, images_.data(), here, ahead);
+        return;
       }
-    };
-    for (const auto& row : stencil) {
-      cells_.for_each_run(sphere.cell, row,
-                          [&](std::int32_t first, std::int32_t last, const Steps<Dim>& lag) {
-                            visit_run(first, last, lag, cells_.layers(row.steps));
-                          });
+    }
+    for (const Neighbour neighbour : neighbours) {
+      const auto contact = zenosphere::contact(motion_from(here, neighbour));
+      if (contact) ahead.add(neighbour.sphere(), *contact);
     }
   }
 
-  /// The next face of its cell that a sphere passes. The outer faces of a closed axis are left out:
-  /// there is a wall.
-  Crossing next_crossing(const Sphere& sphere) const;
+  FirstTwo first_two(ContactsAhead<Real>& ahead, const Real& now) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      if (lanes_are_wide_) return first_two_wide(ahead, now);
+    }
+    return zenosphere::first_two(ahead, now);
+  }
 
-  /// Moves a sphere, advanced to `when`, through a face of its cell.
-  void cross(std::int32_t i, const Crossing& crossing, const Real& when);
+  /// Fetches what will be read of a sphere.
+  void prefetch(std::int32_t i) const {
+    __builtin_prefetch(&spheres_[static_cast<std::size_t>(i)]);
+    __builtin_prefetch(&anchors_[static_cast<std::size_t>(i)]);
+    lists_.prefetch(i);
+  }
+  /// And of the cells around it.
+  void prefetch_cells(std::int32_t i) const {
+    cells_.for_each_run(cells_.coordinates((*this)[i].cell), {{{-1, 1}, {-1, 1}, {-1, 1}}},
+                        [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
+                          for (std::int32_t cell = first; cell <= last; ++cell)
+                            anchor_cells_.prefetch(cell);
+                        });
+  }
+  /// And of its neighbours.
+  void prefetch_neighbours(std::int32_t i) const {
+    for (const Neighbour neighbour : lists_.of(i)) {
+      __builtin_prefetch(&spheres_[static_cast<std::size_t>(neighbour.sphere())]);
+    }
+  }
+
+  /// When a sphere has to be settled again, as foreseen at `when`; of a time after `until` only
+  /// that it is after it.
+  Real unsettled_at(std::int32_t i, const Real& when, const Real& until) const;
+
+  /// Settles a sphere where it is at `when`.
+  ///
+  /// \return  its new neighbours
+  std::span<const Neighbour> settle(std::int32_t i, const Real& when);
 
   /// Sets the clock of all spheres back by `span`; under shear that is one clock unit, and the
   /// layers have slid by one more cell.
@@ -132,18 +156,54 @@ class Spheres {
   Real lees_edwards_offset(std::int64_t units, const Real& when) const;
 
  private:
+  Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Real>& box, const Vector& acceleration);
   void place(const Configuration<Dim, Real>& start);
+  void drop_anchor(std::int32_t i, const Real& when);
+  Vector corner(std::int32_t cell) const;
+  bool go_home(Sphere& sphere, const Real& when) const;
+  std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when);
+  double slid_columns(const Real& when) const;
+  typename SlidingCells<Dim>::Reach columns_within_reach(std::int32_t i, double slid) const;
+  void find_images();
+  Real time_in_ball(const Vector& away, const Vector& velocity) const;
+  Real time_in_cube(const Vector& away, const Vector& velocity) const;
+  Neighbour nearest_image(std::int32_t i, std::int32_t j, const Real& when) const;
+  Real square(std::int32_t i, Neighbour neighbour, const Real& when) const;
   void require_possible(const Sphere& sphere) const;
-  int column_beyond(const Sphere& sphere, int layers, const Real& when) const;
+  Viewpoint<Dim, Real> viewpoint(std::int32_t i, const Real& when) const {
+    return {position_at((*this)[i], when), velocity_at((*this)[i], when), when};
+  }
+  RelativeMotion<Dim, Real> motion_from(const Viewpoint<Dim, Real>& viewpoint,
+                                        Neighbour neighbour) const {
+    const Sphere& other = (*this)[neighbour.sphere()];
+    Image<Dim, Real> image = images_[static_cast<std::size_t>(neighbour.way().code())];
+    image.position[0] += image.velocity * viewpoint.when;
+    RelativeMotion<Dim, Real> motion{
+        (position_at(other, viewpoint.when) - viewpoint.position) + image.position,
+        velocity_at(other, viewpoint.when) - viewpoint.velocity};
+    motion.dv[0] += image.velocity;
+    return motion;
+  }
   Real profile_in_layer(const Sphere& sphere, const Real& when) const;
   Real slide(std::int64_t units, const Real& when) const;
   void wrap(Vector& position) const;
 
+  Anchor& anchor(std::int32_t i) { return anchors_[static_cast<std::size_t>(i)]; }
+  const Anchor& anchor(std::int32_t i) const { return anchors_[static_cast<std::size_t>(i)]; }
+
   ShearBox<Dim, Real> box_;
   SlidingCells<Dim> cells_;
   Vector acceleration_;
-  bool falls_;  ///< the acceleration is not zero
-  std::vector<Sphere> spheres_;
+  bool falls_;           ///< the acceleration is not zero
+  bool lanes_are_wide_;  ///< contacts are found four at a time
+  Settling settling_;
+  std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded
+  LargeVector<Sphere> spheres_;
+  LargeVector<Anchor> anchors_;
+  NeighbourLists lists_;
+  AnchorCells anchor_cells_;
+  std::vector<Neighbour> nearby_;               ///< scratch
+  std::array<Image<Dim, Real>, 256> images_{};  ///< of each way, at remainder 0
 };
 
 }  // namespace zenosphere

@@ -31,18 +31,12 @@ double in_dimension(const std::array<double, 3>& densest, const Case& values) {
 
 bool is_lattice(const Case& values) { return values.start.arrangement == Arrangement::fcc; }
 
-/// What a side must be longer than: two cells must fit it, one between walls, each a little wider
-/// than a sphere, as ShearBox has it.
-double least_side(const Case& values, int axis) {
-  constexpr double smallest_cell_width = 1 + cell_margin;
-  return (closed_axis(values) == axis ? 1 : 2) * smallest_cell_width;
-}
-
 /// The first axis along which the box is too narrow, if there is one.
 std::optional<int> narrow_axis(const Case& values) {
   const std::vector<double> sides = box_sides(values);
   for (int axis = 0; axis < values.system.dimension; ++axis) {
-    if (!(sides[static_cast<std::size_t>(axis)] > least_side(values, axis))) return axis;
+    if (!(sides[static_cast<std::size_t>(axis)] > least_side(closed_axis(values) == axis)))
+      return axis;
   }
   return std::nullopt;
 }
@@ -152,14 +146,15 @@ Objection lattice_in_a_cuboid(const Case& values) {
   return "(fcc fills a cube); make them equal or use start.arrangement = \"random\"";
 }
 
-/// `the box side would be 1.9 diameters, must be above 2`
+/// `the box side would be 1.9 diameters, must be above 2.02`
 std::string narrowness(const Case& values, int axis) {
   const auto& system = values.system;
   const bool is_cube = system.sides.empty() && system.aspect_ratio == 1 && !values.walls.axis;
-  return fmt::format("the box side{} {} {:.6g} diameters, must be above {:.0f}",
+  return fmt::format("the box side{} {} {:.6g} diameters, must be above {:.3g}",
                      is_cube ? "" : fmt::format(" along {}", axis_letter(axis)),
                      system.sides.empty() ? "would be" : "is",
-                     box_sides(values)[static_cast<std::size_t>(axis)], least_side(values, axis));
+                     box_sides(values)[static_cast<std::size_t>(axis)],
+                     least_side(closed_axis(values) == axis));
 }
 
 Objection too_few_for_the_box(const Case& values) {

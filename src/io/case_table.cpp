@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/spelling.hpp"
+#include "model/limits.hpp"
 
 namespace zenosphere::case_format {
 namespace {
@@ -70,7 +71,6 @@ constexpr Condition only_windowed = {
     "output.collision_log = \"window\""};
 
 // Sphere indices are 32-bit in the output file and one sphere needs some hundred bytes.
-constexpr double most_spheres = 1e8;
 // Arrests were met within 2e6 collisions; a longer window than this only delays the verdict.
 constexpr double longest_window = 1e8;
 // Thirty years at a million collisions a second, and every count up to it is exact in a double.
@@ -90,7 +90,7 @@ constexpr std::array key_table{
     Key{"system", "dimension", required, [](Case& c) -> Slot { return &c.system.dimension; },
         from_to(1, 3), nullptr, "dimensions of space"},
     Key{"system", "spheres", required, [](Case& c) -> Slot { return &c.system.spheres; },
-        from_to(1, most_spheres), nullptr, "number of spheres"},
+        from_to(1, static_cast<double>(most_spheres)), nullptr, "number of spheres"},
     Key{"system", "restitution", required, [](Case& c) -> Slot { return &c.system.restitution; },
         from_to(0, 1, "1 is elastic"), &only_constant, "normal speed after a collision / before"},
     Key{"system", "solids_volume_fraction", optional,

@@ -6,10 +6,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
+#include "engine/settling.hpp"
 #include "io/case_box.hpp"
 #include "io/start_file.hpp"
 #include "model/contact_models.hpp"
@@ -165,11 +168,10 @@ ShearBox<Dim, Real> box_of(const Case& values) {
     const double side = sides[static_cast<std::size_t>(axis)];
     real_sides[axis] = is_given ? from_decimal<Real>(side) : Real(side);
   }
-  const double roomy =
-      mean_side(values) / std::pow(2.0 * static_cast<double>(values.system.spheres), 1.0 / Dim);
   const double shear_rate = values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0;
-  return {real_sides, from_decimal<Real>(shear_rate), Real(std::max(1.0, roomy)),
-          closed_axis(values)};
+  const double volume = std::accumulate(sides.begin(), sides.end(), 1.0, std::multiplies<>());
+  const double width = fitting_cell_width(volume, values.system.spheres, Dim);
+  return {real_sides, from_decimal<Real>(shear_rate), Real(width), closed_axis(values)};
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) \

@@ -9,8 +9,8 @@ namespace zenosphere {
 
 /// The box of a case in the precision of Real, cut into cells; closed along the axis of its walls.
 ///
-/// A dilute box gets wider cells, about two for each sphere, which keeps memory and crossings in
-/// bounds. Throws std::invalid_argument where the box is too narrow; no checked case is.
+/// Cells fit the number of spheres (fitting_cell_width()). Throws std::invalid_argument where the
+/// box is too narrow; no checked case is.
 template <int Dim, class Real>
 ShearBox<Dim, Real> box_of(const Case& values);
 

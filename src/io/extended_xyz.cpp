@@ -16,13 +16,13 @@
 
 #include "io/case_entries.hpp"
 #include "model/errors.hpp"
+#include "model/limits.hpp"
 
 namespace zenosphere {
 namespace {
 
 constexpr std::size_t longest_line = 1'048'576;  ///< bytes: ten thousand columns with all digits
 constexpr std::uintmax_t most_bytes = 68'719'476'736;  ///< 10^8 spheres with all digits take 14e9
-constexpr std::int64_t most_spheres = 100'000'000;     // as in a case
 constexpr std::size_t most_columns = 10'000;
 constexpr double touching = 1e-12;  ///< diameters: what rounding leaves of a zero
 

@@ -14,6 +14,7 @@
 #include "io/printable.hpp"
 #include "io/rehearsal.hpp"
 #include "model/errors.hpp"
+#include "model/limits.hpp"
 
 namespace zenosphere {
 namespace {
@@ -147,7 +148,6 @@ std::vector<double> last_row(const Handle& file, const std::string& path,
 
 /// Throws where the numbers that the file is about cannot be those of a run.
 void require_plausible(const OutputInfo& info) {
-  constexpr std::int64_t most_spheres = 100'000'000;  // as in a case
   if (info.dimension < 1 || info.dimension > 3) throw hdf5::Error("dimension not in [1, 3]");
   if (info.spheres < 1 || info.spheres > most_spheres) throw hdf5::Error("too many spheres");
   const bool is_named = is_plain(info.program_version) && is_plain(info.git_hash);

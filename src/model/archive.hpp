@@ -63,7 +63,8 @@ inline constexpr int digits_exponent_limit = 1 << 30;
 
 /// Numbers whose bytes in memory are their bytes in an archive.
 template <class T>
-concept Plain = (std::integral<T> && !std::same_as<T, bool>) || std::same_as<T, double>;
+concept Plain = (std::integral<T> && !std::same_as<T, bool>) || std::same_as<T, double> ||
+                std::same_as<T, float>;
 
 enum class NumberKind : std::uint8_t { finite, infinite, not_a_number };
 
@@ -140,8 +141,8 @@ class ArchiveWriter {
     write(std::uint64_t{text.size()});
     raw(text.data(), text.size());
   }
-  template <class T>
-  void write(const std::vector<T>& values) {
+  template <class T, class Allocator>
+  void write(const std::vector<T, Allocator>& values) {
     write(std::uint64_t{values.size()});
     if constexpr (archive_detail::Plain<T>) {
       raw(values.data(), values.size() * sizeof(T));
@@ -253,8 +254,8 @@ class ArchiveReader {
     text.resize(length(1));
     raw(text.data(), text.size());
   }
-  template <class T>
-  void read(std::vector<T>& values) {
+  template <class T, class Allocator>
+  void read(std::vector<T, Allocator>& values) {
     values.clear();
     if constexpr (archive_detail::Plain<T>) {
       values.resize(length(sizeof(T)));

@@ -32,6 +32,31 @@ struct Contact {
   Real approach;     ///< dr.dv < 0, diameters^2/time
 };
 
+/// What of a relative motion decides whether and when two spheres touch.
+template <class Real>
+struct Approach {
+  Real b;   ///< dr.dv, diameters^2/time; negative while they approach
+  Real v2;  ///< dv.dv
+  Real r2;  ///< dr.dr
+};
+
+template <int Dim, class Real>
+Approach<Real> approach(const RelativeMotion<Dim, Real>& motion) {
+  return {dot(motion.dr, motion.dv), dot(motion.dv, motion.dv), dot(motion.dr, motion.dr)};
+}
+
+/// Squared distances are uncertain by far less, so that may_touch() loses no pair.
+inline constexpr double approach_margin = 1e-9;
+
+/// Whether a pair may touch: a test without |dr| that is enough to tell most pairs, which part or
+/// miss, from those that contact() has to decide.
+template <class Real>
+bool may_touch(const Approach<Real>& approach) {
+  const auto& [b, v2, r2] = approach;
+  const Real limit = 1 + approach_margin;
+  return static_cast<bool>(static_cast<int>(b < 0) & static_cast<int>(b * b >= v2 * (r2 - limit)));
+}
+
 /// Time until two unit-diameter spheres touch, or nothing if they never do.
 ///
 /// Solves |dr + dv t| = 1 for the earlier root, written so that the small root of a nearly
@@ -39,26 +64,23 @@ struct Contact {
 /// A pair that already overlaps while closing gives a time <= 0; the overlap rule decides what
 /// that means.
 ///
-/// \param motion  relative motion in one image; lengths in diameters
-/// \return        the contact, its time counted from now in the unit of motion.dv
+/// \return the contact, its time counted from now in the unit of dv
 /// Source: Alder & Wainwright, J. Chem. Phys. 31 (1959) 459, eq. (7).
-template <int Dim, class Real>
-std::optional<Contact<Real>> contact(const RelativeMotion<Dim, Real>& motion) {
+template <class Real>
+std::optional<Contact<Real>> contact(const Approach<Real>& approach) {
   using std::sqrt;
-  const Real b = dot(motion.dr, motion.dv);
-  const Real v2 = dot(motion.dv, motion.dv);
-  const Real r2 = dot(motion.dr, motion.dr);
-  // Most pairs part or miss. One test without |dr| tells nearly all of them: the margin is far
-  // above the rounding of r2 - 1, so that no pair is lost that the exact discriminant would keep.
-  const Real margin = 1e-9;
-  if (!(static_cast<int>(b < 0) & static_cast<int>(b * b >= v2 * (r2 - (1 + margin))))) {
-    return std::nullopt;
-  }
+  if (!may_touch(approach)) return std::nullopt;
+  const auto& [b, v2, r2] = approach;
   const Real distance = sqrt(r2);
   const Real c = (distance - 1) * (distance + 1);
   const Real discriminant = b * b - v2 * c;
   if (discriminant < 0) return std::nullopt;
   return Contact<Real>{c / (-b + sqrt(discriminant)), c <= 0, b};
+}
+
+template <int Dim, class Real>
+std::optional<Contact<Real>> contact(const RelativeMotion<Dim, Real>& motion) {
+  return contact(approach(motion));
 }
 
 /// What one collision does: sphere j gains `impulse * normal`, sphere i loses it.

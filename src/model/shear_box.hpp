@@ -13,8 +13,14 @@ namespace zenosphere {
 template <int Dim>
 using Steps = std::array<int, Dim>;
 
-/// A cell is a little wider than a sphere, so that rounding at its faces hides no neighbour.
-inline constexpr double cell_margin = 1e-9;
+/// No cell is narrower, in diameters, unless it is alone between walls: a sphere needs some room in
+/// its cell before it has to look for neighbours again.
+inline constexpr double narrowest_cell = 1.01;
+
+/// What a side must be longer than, in diameters: two cells, or a sphere between walls.
+inline constexpr double least_side(bool is_closed) {
+  return is_closed ? 1 + 1e-9 : 2 * narrowest_cell;
+}
 
 /// A shift of position and velocity at once: what must be added to the stored coordinates of a
 /// sphere in one cell to see it from another cell.
@@ -33,20 +39,22 @@ struct Image {
 template <int Dim, class Real>
 class ShearBox {
  public:
-  /// \param sides       lengths of the box, > 2 diameters each
+  /// \param sides       lengths of the box, diameters, each > least_side()
   /// \param shear_rate  1/time, >= 0; zero in one dimension
-  /// \param least_width width that no cell goes below, diameters; >= 1
+  /// \param least_width width that cells should have at least, diameters
   /// \param closed_axis the axis that ends at walls instead of being periodic, or none
   /// Throws std::invalid_argument where a sphere could meet two images of another at once.
-  ShearBox(const Vec<Dim, Real>& sides, const Real& shear_rate, const Real& least_width = 1,
+  ShearBox(const Vec<Dim, Real>& sides, const Real& shear_rate, const Real& least_width = 1.5,
            std::optional<int> closed_axis = std::nullopt)
       : sides_(sides), shear_rate_(shear_rate), closed_axis_(closed_axis) {
     using std::floor;
     for (int axis = 0; axis < Dim; ++axis) {
-      const Real margin = cell_margin;
       const int least = is_closed(axis) ? 1 : 2;
-      if (!(sides[axis] > least * (1 + margin))) throw std::invalid_argument("box too narrow");
-      const Real fitting = floor(static_cast<Real>(sides[axis] / (least_width * (1 + margin))));
+      if (!(sides[axis] > least_side(is_closed(axis))))
+        throw std::invalid_argument("box too narrow");
+      const Real margin = 1e-9;  // so that rounding makes no cell too narrow
+      const Real width = least_width > narrowest_cell ? least_width : Real(narrowest_cell);
+      const Real fitting = floor(static_cast<Real>(sides[axis] / (width * (1 + margin))));
       const int cells = fitting > least ? static_cast<int>(fitting) : least;
       cell_width_[axis] = sides[axis] / cells;
       // Beyond a wall lies a layer of cells that stays empty: nobody meets across it.

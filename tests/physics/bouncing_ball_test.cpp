@@ -126,7 +126,7 @@ TEST(BouncingBallOfWax, StaysOnTheFloorWhileAnotherOneFalls) {
   // The lower rod comes to rest on the floor at time 1; the upper one would meet it at time 3, and
   // nothing else happens until then. Either the clock stands (arrest) or the rod must lie still.
   for (const auto rule : {OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded}) {
-    const ShearBox<1, double> box({100}, 0, 1, 0);
+    const ShearBox<1, double> box({100}, 0, 1.5, 0);
     Simulation<1, double> rods(box, {{{1.0}, {6.0}}, {{0.0}, {0.0}}}, {.overlap = rule},
                                {{-1.0}, Walls<double>{.axis = 0, .restitution = 0}});
     while (!rods.has_reached(2) && rods.collisions() < 1000) rods.next_collision(2);
@@ -136,7 +136,7 @@ TEST(BouncingBallOfWax, StaysOnTheFloorWhileAnotherOneFalls) {
 
 TEST(BouncingBallStepByStep, LosesTheSameFractionOfItsSpeedAtEachBounce) {
   const double restitution = 0.7;
-  const ShearBox<1, double> box({100}, 0, 1, 0);
+  const ShearBox<1, double> box({100}, 0, 1.5, 0);
   Simulation<1, double> ball(box, {{{0.5}}, {{2.0}}}, {},
                              {{-1.0}, Walls<double>{.axis = 0, .restitution = restitution}});
   double speed = 2;

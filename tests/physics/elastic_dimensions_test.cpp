@@ -114,7 +114,7 @@ TEST(ElasticRods, PressureAndCollisionRateAreThoseOfTonks) {
 // it comes back: the pressure of N rods is N T/(L - N) on both walls, for every N.
 TEST(ElasticRodsBetweenWalls, PressOnBothWallsAsTonksSays) {
   const Rods rods;
-  const ShearBox<1, double> box({rods.side}, 0, 1, 0);
+  const ShearBox<1, double> box({rods.side}, 0, 1.5, 0);
   const auto start = make_start<1>({Arrangement::random, rods.count, 1, 3}, box);
   const Averages averages = averages_of(rods, box, start, {{}, Walls<double>{.axis = 0}});
   const double pressure = rods.count / (rods.side - rods.count);

@@ -26,8 +26,13 @@ struct Flow {
   double speed;  ///< of the start
 };
 
-Gas gas_of(const Flow& flow, std::uint64_t seed) {
-  return Gas(Box(flow.sides, flow.shear_rate),
+/// Widths that cells have at least: 2 or 3 of them a side, or up to 5, in which spheres must be
+/// settled again and again.
+constexpr double wide = 1.5;
+constexpr double narrow = 1.05;
+
+Gas gas_of(const Flow& flow, std::uint64_t seed, double cell_width = wide) {
+  return Gas(Box(flow.sides, flow.shear_rate, cell_width),
              support::random_gas(flow.spheres, flow.sides, flow.speed, seed), {flow.restitution});
 }
 
@@ -61,8 +66,8 @@ void expect_same_collisions(Gas& gas, int collisions, double tolerance) {
 /// collisions, in diameters, and more in oblique ones), say 8. Rounding at the restart is about
 /// 1e-15, so that four collisions per sphere lead to 1e-15 x 8^4 = 4e-12; 1e-10 leaves room for an
 /// unlucky pair and is still a billion times below the time between a sphere's collisions.
-void follow(const Flow& flow, int clock_units, std::uint64_t seed) {
-  Gas gas = gas_of(flow, seed);
+void follow(const Flow& flow, int clock_units, double cell_width) {
+  Gas gas = gas_of(flow, 7, cell_width);
   int rounds = 0;
   while (gas.now().units < clock_units) {
     ASSERT_NO_FATAL_FAILURE(expect_same_collisions(gas, 2 * flow.spheres, 1e-10));
@@ -104,10 +109,14 @@ struct Named {
 class Engine : public testing::TestWithParam<Named> {};
 
 TEST_P(Engine, AgreesWithTheOracleCollisionByCollision) {
-  follow(GetParam().flow, GetParam().clock_units, 7);
+  follow(GetParam().flow, GetParam().clock_units, wide);
 }
 
-// 30 spheres: side 5.40 (5 cells) for a solids volume fraction of 0.1, 3.74 (3 cells) for 0.3.
+TEST_P(Engine, AgreesWithTheOracleInNarrowCells) {
+  follow(GetParam().flow, GetParam().clock_units, narrow);
+}
+
+// 30 spheres: side 5.40 for a solids volume fraction of 0.1, 3.74 for 0.3.
 // One clock unit is one unit of strain, the time 1 / shear rate.
 INSTANTIATE_TEST_SUITE_P(
     Sheared, Engine,
@@ -119,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Named{"dense_inelastic", {{3.74, 3.74, 3.74}, 30, 1, 0.5, 1.5}, 4}),
     [](const auto& named) { return named.param.name; });
 
-// Boxes of 2, 3, 4 and 5 cells a side, and sides of unlike lengths: 2 x 4 x 3 cells, 4 x 2 x 2 ...
+// Sides of 2 to 5 narrow cells, and of unlike lengths.
 INSTANTIATE_TEST_SUITE_P(
     SmallBox, Engine,
     testing::Values(Named{"of_side_2_1", {{2.1, 2.1, 2.1}, 3, 1, 0.9, 1}, 40},
@@ -147,6 +156,16 @@ TEST(Engine, AgreesWithTheOracleForManyCollisionsPerSphereWithoutRestart) {
   // 15 collisions per sphere make 1e-15 x 2^15 = 3e-11 of rounding.
   Gas gas = gas_of({{3.74, 3.74, 3.74}, 30, 1, 1, 1}, 3);
   expect_same_collisions(gas, 15 * 30 / 2, 1e-9);
+}
+
+TEST(Engine, LosesNobodyInANarrowBoxHoweverLongItRuns) {
+  // Two cells a side: a sphere may see another one in several directions, and be mistaken in which.
+  // Whom it has missed it meets later as an overlap, that is in the past.
+  Gas gas = gas_of({{3.74, 3.74, 3.74}, 30, 1, 0.99, 1}, 2);
+  for (int n = 0; n < 100'000; ++n) {
+    const auto collision = support::next(gas);
+    ASSERT_GT(collision.flight, -1e-9) << "collision " << collision.number;
+  }
 }
 
 TEST(Engine, TellsTheGapOfTheNearestImageHoweverLongTheFlight) {

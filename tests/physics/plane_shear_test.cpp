@@ -52,7 +52,7 @@ TEST(PlaneShear, InAnyRectangleDissipatesItsWork) {
 // One cell of the first row slides past the next in (cell width along x)/(cell width along y) of a
 // strain unit.
 TEST(PlaneShear, HasTheClockOfItsCells) {
-  const ShearBox<2, double> box({30.5, 10.5}, 2);
+  const ShearBox<2, double> box({30.5, 10.5}, 2, narrowest_cell);
   EXPECT_EQ(box.cells(), (Steps<2>{30, 10}));
   EXPECT_DOUBLE_EQ(box.clock_unit(), (30.5 / 30) / (10.5 / 10) / 2);
 }

@@ -77,7 +77,7 @@ TEST(OverlapRules, DoNotTouchSpheresThatSeparate) {
 }
 
 TEST(Simulation, IsAtRestWhereNothingMovesAndNoLongerAfterAKick) {
-  Line line(ShearBox<1, double>({20}, 0), {{{4}, {8}}, {{0}, {0}}}, {0.5});
+  Line line(ShearBox<1, double>({20}, 0, 4), {{{4}, {8}}, {{0}, {0}}}, {0.5});
   EXPECT_FALSE(line.is_at_rest());  // nobody has looked yet
   EXPECT_FALSE(line.next_collision(5));
   EXPECT_TRUE(line.is_at_rest());
@@ -90,7 +90,7 @@ TEST(Simulation, IsAtRestWhereNothingMovesAndNoLongerAfterAKick) {
 TEST(Simulation, KickChangesTheVelocitiesNowAndWhatComesNext) {
   // Two rods that would meet at time 3 stop each other's approach half-way; then the other way
   // round.
-  Line line(ShearBox<1, double>({40}, 0), {{{4}, {11}}, {{1}, {-1}}}, {1.0});
+  Line line(ShearBox<1, double>({40}, 0, 8), {{{4}, {11}}, {{1}, {-1}}}, {1.0});
   EXPECT_FALSE(line.next_collision(1.5));
   EXPECT_EQ(line.time(), 1.5);
   line.kick({{-2}, {3}});
@@ -114,7 +114,7 @@ TEST(Simulation, TakesTheGapOfTheNextPairAtAKickThatCameSinceTheLastCollision) {
 }
 
 TEST(Simulation, StopsOnTheWayChangeNoCollisionWithWallsAndGravity) {
-  const ShearBox<2, double> box({12, 12}, 0, 1, 1);
+  const ShearBox<2, double> box({12, 12}, 0, 1.5, 1);
   const auto start = make_start<2>({Arrangement::random, 60, 1, 7}, box);
   const Surroundings<2, double> surroundings{{0.1, -0.5},
                                              Walls<double>{.axis = 1, .restitution = 0.9}};
@@ -154,7 +154,7 @@ TEST(Simulation, CallsACollisionAbsorbedThatIsBelowTheLastBitOfTheVelocities) {
 TEST(Walls, MakeNeighboursOfNobodyAcrossThem) {
   // Side 4: centres 0.6 and 3.4 would overlap around a ring. Between walls they bounce, each at its
   // own wall after 0.1 at speed 1, and meet in the middle.
-  Line line(ShearBox<1, double>({4}, 0, 1, 0), {{{0.6}, {3.4}}, {{-1}, {1}}}, {1.0},
+  Line line(ShearBox<1, double>({4}, 0, 1.5, 0), {{{0.6}, {3.4}}, {{-1}, {1}}}, {1.0},
             {{}, Walls<double>{.axis = 0}});
   const auto first = line.next_collision(10).value();
   EXPECT_EQ(first.i, 0);
@@ -172,7 +172,7 @@ TEST(Walls, MakeNeighboursOfNobodyAcrossThem) {
 TEST(Walls, GiveASphereTheirSpeedWhereTheyAreRough) {
   // Falls on the upper wall, which moves at 3, with (1, 2): leaves with (3, -1) for a restitution
   // of 1/2 and none of the slip.
-  Plane disk(ShearBox<2, double>({10, 10}, 0, 1, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
+  Plane disk(ShearBox<2, double>({10, 10}, 0, 1.5, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
              {{}, Walls<double>{1, 0.5, 0, {0, 3}}});
   const auto collision = disk.next_collision(10).value();
   EXPECT_EQ(disk.time(), 0.5);
@@ -184,7 +184,7 @@ TEST(Walls, GiveASphereTheirSpeedWhereTheyAreRough) {
 
 TEST(Walls, ReverseTheSlipWhereTheyAreElasticallyRough) {
   // Tangential restitution 1: the slip 1 - 3 = -2 becomes 2.
-  Plane disk(ShearBox<2, double>({10, 10}, 0, 1, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
+  Plane disk(ShearBox<2, double>({10, 10}, 0, 1.5, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
              {{}, Walls<double>{1, 0.5, 1, {0, 3}}});
   disk.next_collision(10).value();
   EXPECT_EQ(disk.peculiar_velocity(0), (Vec<2, double>{{5, -1}}));
@@ -192,7 +192,7 @@ TEST(Walls, ReverseTheSlipWhereTheyAreElasticallyRough) {
 
 TEST(Gravity, LeavesTheRelativeMotionOfSpheresAlone) {
   // Both fall; they meet as without gravity, after a gap of 3 at speed 2.
-  Plane disks(ShearBox<2, double>({20, 20}, 0), {{{4, 5}, {8, 5}}, {{1, 0}, {-1, 0}}}, {1.0},
+  Plane disks(ShearBox<2, double>({20, 20}, 0, 5), {{{4, 5}, {8, 5}}, {{1, 0}, {-1, 0}}}, {1.0},
               {{0.25, -1}, {}});
   ASSERT_TRUE(disks.next_collision(10));
   EXPECT_NEAR(disks.time(), 1.5, 1e-14);

@@ -3,22 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "support/gas.hpp"
 
 namespace zenosphere {
 namespace {
 
-/// How many spheres are seen from sphere 0, and the last of them.
-template <int Dim>
-std::pair<int, Vec<Dim, double>> seen(const Spheres<Dim, double>& spheres) {
-  std::pair<int, Vec<Dim, double>> result{0, {}};
-  spheres.for_each_neighbour(0, spheres.cells().neighbourhood(), 0.0,
-                             [&](std::int32_t, const RelativeMotion<Dim, double>& motion) {
-                               ++result.first;
-                               result.second = motion.dr;
-                             });
-  return result;
-}
+constexpr double never = std::numeric_limits<double>::infinity();
 
 TEST(Spheres, FallOnAParabola) {
   const Spheres<2, double> spheres(ShearBox<2, double>({20, 20}, 0), {{{5, 10}}, {{1, 2}}},
@@ -29,39 +23,79 @@ TEST(Spheres, FallOnAParabola) {
 
 TEST(Spheres, AreNeighboursAcrossAPeriodicFaceButNotAcrossWalls) {
   const Configuration<1, double> ends{{{0.6}, {3.9}}, {{0}, {0}}};
-  const Spheres<1, double> ring(ShearBox<1, double>({5}, 0), ends, {});
-  EXPECT_EQ(seen(ring).first, 1);
-  EXPECT_NEAR(seen(ring).second[0], -1.7, 1e-15);  // 3.9 - 5 - 0.6
-  EXPECT_NEAR(ring.motion(0, 1, 0).dr[0], -1.7, 1e-15);
-  const Spheres<1, double> line(ShearBox<1, double>({5}, 0, 1, 0), ends, {});
-  EXPECT_EQ(seen(line).first, 0);
-  EXPECT_NEAR(line.motion(0, 1, 0).dr[0], 3.3, 1e-15);
+  const Spheres<1, double> ring(ShearBox<1, double>({5}, 0, 2.5), ends, {});
+  ASSERT_EQ(ring.neighbours(0).size(), 1u);
+  EXPECT_NEAR(ring.motion(0, ring.neighbours(0)[0], 0).dr[0], -1.7, 1e-15);  // 3.9 - 5 - 0.6
+  EXPECT_NEAR(ring.motion(0, ring.neighbour(0, 1, 0), 0).dr[0], -1.7, 1e-15);
+  const Spheres<1, double> line(ShearBox<1, double>({5}, 0, 2, 0), ends, {});
+  EXPECT_EQ(line.neighbours(0).size(), 0u);
 }
 
-TEST(Spheres, CrossNoFaceAtAWall) {
-  // Cells of 1.25: from 1 to the left there is only the wall; to the right a face at 1.25.
-  const ShearBox<1, double> box({5}, 0, 1, 0);
-  const Spheres<1, double> left(box, {{{1}}, {{-1}}}, {});
-  EXPECT_FALSE(left.next_crossing(left[0]).time < 1e9);
-  const Spheres<1, double> right(box, {{{1}}, {{1}}}, {});
-  EXPECT_EQ(right.next_crossing(right[0]).time, 0.25);
-  EXPECT_EQ(right.next_crossing(right[0]).direction, 1);
-  const Spheres<1, double> last(box, {{{4}}, {{1}}}, {});
-  EXPECT_FALSE(last.next_crossing(last[0]).time < 1e9);
+/// Where the images of a place are in a plain periodic box, the place itself among them.
+std::vector<Vec<3, double>> images(const Vec<3, double>& sides) {
+  std::vector<Vec<3, double>> all;
+  for (const int x : {-1, 0, 1}) {
+    for (const int y : {-1, 0, 1}) {
+      for (const int z : {-1, 0, 1}) all.push_back({{x * sides[0], y * sides[1], z * sides[2]}});
+    }
+  }
+  return all;
 }
 
-TEST(Spheres, CrossTheFaceTheyFallBackTo) {
-  // Leaves 1.5 upwards at 1 with G = 1: highest at 2, below the face at 2.5; back at 1.25 when
-  // t - t^2/2 = -1/4, that is after 1 + sqrt(1.5).
-  const Spheres<1, double> ball(ShearBox<1, double>({5}, 0, 1, 0), {{{1.5}}, {{1}}}, {{-1}});
-  const auto crossing = ball.next_crossing(ball[0]);
-  EXPECT_NEAR(crossing.time, 1 + std::sqrt(1.5), 1e-15);
-  EXPECT_EQ(crossing.direction, -1);
+/// Every pair whose anchors are so near that they can touch while their lists last, on every way.
+TEST(Spheres, ListWhomTheyCanTouch) {
+  for (const double shear_rate : {0.0, 1.0}) {
+    for (const double side : {2.1, 3.7, 6.3}) {
+      const Vec<3, double> sides{{side, side, side}};
+      const ShearBox<3, double> box(sides, shear_rate);
+      const int count = static_cast<int>(0.3 * side * side * side);
+      const auto start = support::random_gas(count, sides, 1, 3);
+      const Settling settling = settling_in(box, count);
+      const Spheres<3, double> spheres(box, start, {});
+      const double distance = 1 + 2 * settling.reach;
+      for (std::int32_t i = 0; i < count; ++i) {
+        std::multiset<std::int32_t> expected;
+        for (std::int32_t j = 0; j < count; ++j) {
+          if (j == i) continue;
+          const auto dr = start.positions[static_cast<std::size_t>(j)] -
+                          start.positions[static_cast<std::size_t>(i)];
+          for (const Vec<3, double>& image : images(sides)) {
+            if (std::sqrt(dot(dr + image, dr + image)) < distance) expected.insert(j);
+          }
+        }
+        std::multiset<std::int32_t> listed;
+        for (const Neighbour neighbour : spheres.neighbours(i)) listed.insert(neighbour.sphere());
+        for (const std::int32_t j : expected) EXPECT_GE(listed.count(j), expected.count(j));
+        if (shear_rate == 0) {  // a margin of grains
+          EXPECT_LE(listed.size(), expected.size() + 2);
+        }
+      }
+    }
+  }
+}
+
+TEST(Spheres, HaveToBeSettledAgainWhereTheyLeaveTheirBall) {
+  const ShearBox<1, double> box({30}, 0, 3);
+  const double reach = settling_in(box, 10).reach;
+  const Configuration<1, double> start{{{1}, {4}, {7}, {10}, {13}, {16}, {19}, {22}, {25}, {28}},
+                                       std::vector<Vec<1, double>>(10, {{2}})};
+  Spheres<1, double> spheres(box, start, {});
+  EXPECT_NEAR(spheres.unsettled_at(0, 0, never), reach / 2, 1e-3);
+  spheres.settle(9, 1.2);  // 28 + 2.4 is through the face
+  EXPECT_NEAR(spheres.position_at(spheres[9], 1.2)[0], 0.4, 1e-14);
+  EXPECT_EQ(spheres[9].position[0], -2);  // stored for time 0, as before
+  EXPECT_NEAR(spheres.unsettled_at(9, 1.2, never), 1.2 + reach / 2, 1e-3);
+}
+
+TEST(Spheres, AreSettledAnewHalfAUnitOfShearLater) {
+  const ShearBox<2, double> box({20, 20}, 0.5, 2);
+  const Spheres<2, double> spheres(box, {{{5, 10}}, {{0, 0}}}, {});
+  EXPECT_NEAR(spheres.unsettled_at(0, 0, never), box.clock_unit() / 2, 1e-6);
 }
 
 TEST(Spheres, KeepAPlaceBeyondAWallOnTheWall) {
   // A flight too far by rounding is not wrapped to the other wall.
-  const Spheres<1, double> ball(ShearBox<1, double>({5}, 0, 1, 0), {{{0.5}}, {{-1}}}, {});
+  const Spheres<1, double> ball(ShearBox<1, double>({5}, 0, 1.5, 0), {{{0.5}}, {{-1}}}, {});
   EXPECT_EQ(ball.configuration(0, 1.0).positions[0][0], 0);
 }
 

@@ -148,7 +148,7 @@ TEST(CaseErrors, RangesIncludeTheirEndsWhereTheySaySo) {
             "system.solids_volume_fraction = 0.74049 (must be in (0, 0.74048]; spheres cannot be "
             "packed denser)");
   EXPECT_EQ(objection(cooling_case, "system.spheres=0"),
-            "system.spheres = 0 (must be in [1, 100000000])");
+            "system.spheres = 0 (must be in [1, 16777215])");
   EXPECT_EQ(objection(cooling_case, "collapse.gap_threshold=0"),
             "collapse.gap_threshold = 0 (must be > 0)");
   EXPECT_EQ(objection(cooling_case, "output.snapshot_interval=0.0"),
@@ -167,7 +167,7 @@ TEST(CaseErrors, UnknownPrecisionIsAnsweredWithTheKnownOnes) {
 }
 
 TEST(CaseErrors, FccNamesTheNearestFullLattices) {
-  // 4 n^3: n = 2: 32, 3: 108, 10: 4000, 11: 5324, 292: 99588352; n = 293 has more than 1e8.
+  // 4 n^3: n = 2: 32, 3: 108, 10: 4000, 11: 5324, 161: 16693124; n = 162 has more than 2^24.
   const auto sphere_objection = [](const std::string& spheres) {
     return objection(cooling_case, "system.spheres=" + spheres);
   };
@@ -175,8 +175,8 @@ TEST(CaseErrors, FccNamesTheNearestFullLattices) {
   EXPECT_EQ(sphere_objection("3999"), "system.spheres = 3999" + fcc + "2916 or 4000");
   EXPECT_EQ(sphere_objection("4001"), "system.spheres = 4001" + fcc + "4000 or 5324");
   EXPECT_EQ(sphere_objection("100"), "system.spheres = 100" + fcc + "32 or 108");
-  EXPECT_EQ(sphere_objection("100000000"), "system.spheres = 100000000" + fcc + "99588352");
-  EXPECT_EQ(sphere_objection("99588352"), "");
+  EXPECT_EQ(sphere_objection("16777215"), "system.spheres = 16777215" + fcc + "16693124");
+  EXPECT_EQ(sphere_objection("16693124"), "");
 }
 
 TEST(CaseErrors, FccIsJudgedEvenIfTheDensityIsWrong) {
@@ -192,7 +192,7 @@ TEST(CaseErrors, FccSuggestsNoLatticeWhoseBoxIsTooNarrow) {
   EXPECT_EQ(objection(cooling_case, "system.spheres=5"),
             "system.spheres = 5 (fcc fills 4 n^3 places); use 32");
   EXPECT_EQ(objection(cooling_case, "system.spheres=4"),
-            "system.spheres = 4 (the box side would be 1.91123 diameters, must be above 2); "
+            "system.spheres = 4 (the box side would be 1.91123 diameters, must be above 2.02); "
             "use at least 32");
 }
 
@@ -200,7 +200,7 @@ TEST(CaseErrors, BoxMustBeWiderThanTwoDiameters) {
   // phi = 0.3: N > 8 (6/pi) 0.3 = 4.58, so five spheres fit; (2 pi/1.8)^(1/3) = 1.51694.
   const std::string random = replaced(cooling_case, "\"fcc\"", "\"random\"");
   EXPECT_EQ(objection(random, "system.spheres=2"),
-            "system.spheres = 2 (the box side would be 1.51694 diameters, must be above 2); "
+            "system.spheres = 2 (the box side would be 1.51694 diameters, must be above 2.02); "
             "use at least 5");
   EXPECT_EQ(objection(random, "system.spheres=5"), "");
 }

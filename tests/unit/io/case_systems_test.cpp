@@ -92,7 +92,7 @@ TEST(CaseSystems, SidesFitTheDimensionAndTheSpheres) {
             "system.sides = [10, 8, 6] (number of sides = 3, system.dimension = 2); make them "
             "equal");
   EXPECT_EQ(objection(triple_case, "system.sides=[10, 2]"),
-            "system.sides = [10, 2] (the box side along y is 2 diameters, must be above 2)");
+            "system.sides = [10, 2] (the box side along y is 2 diameters, must be above 2.02)");
   EXPECT_EQ(objection(triple_case, "system.sides=[10, -2]"),
             "system.sides = [10, -2] (-2 in it must be in (1, 1000000000])");
   EXPECT_EQ(objection(triple_case, "system.sides=[10, nan]"),

@@ -24,19 +24,19 @@ std::string line_of(const Case& values, const std::string& label) {
 }
 
 TEST(DerivedText, TellsBoxAndCellsOfThePaperCase) {
-  // L^3 = 4000 pi / 1.8 = 6981.3170, L = 19.112278; n = 6 x 0.3 / pi = 0.57295780; 19 layers of
-  // 19.112278 / 19 = 1.0059094; 19^3 = 6859.
+  // L^3 = 4000 pi / 1.8 = 6981.3170, L = 19.112278; n = 6 x 0.3 / pi = 0.57295780. 3.5
+  // spheres a cell: (3.5 / n)^(1/3) = 1.8281; 10 layers of 1.9112278; 10^3 = 1000.
   const Case values = overridden(shear_case, {});
   EXPECT_EQ(line_of(values, "number density"), "0.5729578 per diameter^3");
   EXPECT_EQ(line_of(values, "box side"), "19.112278 diameters");
-  EXPECT_EQ(line_of(values, "layers"), "19");
-  EXPECT_EQ(line_of(values, "cells"), "6859");
-  EXPECT_EQ(line_of(values, "cell width"), "1.0059094 diameters");
+  EXPECT_EQ(line_of(values, "layers"), "10");
+  EXPECT_EQ(line_of(values, "cells"), "1000");
+  EXPECT_EQ(line_of(values, "cell width"), "1.9112278 diameters");
 }
 
 TEST(BoxOf, GivesADiluteSystemAboutTwoCellsForASphere) {
-  // phi = 3e-7: L = 1911.23; 8000^(1/3) = 20 cells a side instead of 1911. The margin of a cell
-  // lets only 19 fit.
+  // phi = 3e-7: L = 1911.23; 8000^(1/3) = 20 cells a side instead of 1911 / 4. The margin of a
+  // cell lets only 19 fit.
   const Case dilute = overridden(shear_case, {"system.solids_volume_fraction=3e-7"});
   EXPECT_EQ(cells_of<3>(dilute).cells()[0], 19);
 }

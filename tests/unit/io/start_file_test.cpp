@@ -201,7 +201,7 @@ TEST_F(StartFile, ThatIsNoExtendedXyzIsRejectedWithItsLine) {
   EXPECT_EQ(problem_of("two\n"),
             "start:1: found no number of spheres (extended XYZ begins each frame with it)");
   EXPECT_EQ(problem_of("999999999999\n"),
-            "start:1: 999999999999 spheres (must be in [1, 100000000])");
+            "start:1: 999999999999 spheres (must be in [1, 16777215])");
   EXPECT_EQ(problem_of("3\n\nA 1 1 0\n"),
             "start:4: the file ends (the frame that begins in line 1 needs 5 lines)");
   EXPECT_EQ(problem_of("3\n\nA 1 1 0\nA 2 2 0\nA 3 3 0\n"),

@@ -30,7 +30,7 @@ Simulation<Dim, double> resting(int spheres, std::optional<int> closed_axis = st
   }
   Surroundings<Dim, double> surroundings;
   if (closed_axis) surroundings.walls = Walls<double>{.axis = *closed_axis};
-  return {ShearBox<Dim, double>(sides, 0, 1, closed_axis), start, {1.0}, surroundings};
+  return {ShearBox<Dim, double>(sides, 0, 1.5, closed_axis), start, {1.0}, surroundings};
 }
 
 template <int Dim>

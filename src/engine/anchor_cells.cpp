@@ -1,0 +1,203 @@
+#include "engine/anchor_cells.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "engine/wide_lanes.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+using Chunk = AnchorCells::Chunk;
+
+constexpr std::int32_t free_place = -1;
+constexpr std::int16_t far_away = std::numeric_limits<std::int16_t>::max();
+// A search looks from at most four cells away, and up to one cell and a quarter beside the place.
+static_assert(far_away - 4 * AnchorCells::grains_a_cell > 5 * AnchorCells::grains_a_cell / 4);
+
+constexpr Chunk empty_chunk() {
+  Chunk chunk{};
+  for (std::size_t k = 0; k < AnchorCells::lanes; ++k) {
+    chunk.sphere[k] = free_place;
+    chunk.xy[k][0] = far_away;
+  }
+  return chunk;
+}
+
+/// The first place at which `sphere` stands, or `lanes`.
+std::size_t place_of(const Chunk& chunk, std::int32_t sphere) {
+  unsigned places = 1u << AnchorCells::lanes;
+  for (std::size_t k = 0; k < AnchorCells::lanes; ++k) {  // no branch: it would be unforeseeable
+    places |= static_cast<unsigned>(chunk.sphere[k] == sphere) << k;
+  }
+  return static_cast<std::size_t>(std::countr_zero(places));
+}
+
+/// Places that are taken: the first so many.
+std::size_t taken(const Chunk& chunk) { return place_of(chunk, free_place); }
+
+/// The next chunk of the same cell, or null.
+const Chunk* next_of(const Chunk& chunk, const Chunk* further) {
+  return chunk.next >= 0 ? further + chunk.next : nullptr;
+}
+
+/// Appends those of a row of cells that are within the distance of the target. Chunks that a cell
+/// has beside its own are among the `further` ones.
+Neighbour* find_in(std::span<const Chunk> row, const Chunk* further,
+                   const AnchorCells::Target& target, std::uint32_t way, Neighbour* found) {
+  int x = target.place[0];
+  for (const Chunk& first : row) {
+    for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
+      for (std::size_t k = 0; k < AnchorCells::lanes; ++k) {
+        const int dx = std::max(0, std::abs(chunk->xy[k][0] - x) - target.slide);
+        const int dy = chunk->xy[k][1] - target.place[1];
+        const int dz = chunk->z[k] - target.place[2];
+        if (chunk->sphere[k] != free_place && dx * dx + dy * dy + dz * dz < target.square) {
+          *found++ = Neighbour::from_packed(way | static_cast<std::uint32_t>(chunk->sphere[k]));
+        }
+      }
+    }
+    x -= target.cell_width;
+  }
+  return found;
+}
+
+#ifdef ZENOSPHERE_HAS_WIDE_LANES
+
+/// For each set of lanes the numbers of those in it, first to last.
+struct Compressions {
+  alignas(32) std::int32_t lanes[256][8];
+  constexpr Compressions() : lanes() {
+    for (int set = 0; set < 256; ++set) {
+      int kept = 0;
+      for (int lane = 0; lane < 8; ++lane) {
+        if (set >> lane & 1) lanes[set][kept++] = lane;
+      }
+    }
+  }
+};
+constexpr Compressions compressions;
+
+/// The same, eight at a time.
+ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const Chunk> row, const Chunk* further,
+                                     const AnchorCells::Target& target, std::uint32_t way,
+                                     Neighbour* found) {
+  const auto pair = [](std::int16_t x, std::int16_t y) {
+    return static_cast<int>(static_cast<std::uint16_t>(x) |
+                            static_cast<std::uint32_t>(static_cast<std::uint16_t>(y)) << 16);
+  };
+  __m256i here = _mm256_set1_epi32(pair(target.place[0], target.place[1]));
+  const __m256i next_cell = _mm256_set1_epi32(pair(target.cell_width, 0));
+  const __m128i here_z = _mm_set1_epi16(target.place[2]);
+  const __m256i slide = _mm256_set1_epi32(pair(target.slide, 0));
+  const __m256i limit = _mm256_set1_epi32(target.square);
+  const __m256i ways = _mm256_set1_epi32(static_cast<int>(way));
+  for (const Chunk& first : row) {
+    const Chunk* chunk = &first;
+    do {
+      const auto* const lanes = reinterpret_cast<const __m256i*>(chunk);
+      // Saturated, so that free places remain far away.
+      const __m256i xy = _mm256_subs_epu16(
+          _mm256_abs_epi16(_mm256_subs_epi16(_mm256_load_si256(lanes), here)), slide);
+      const __m256i z = _mm256_cvtepi16_epi32(
+          _mm_sub_epi16(_mm_load_si128(reinterpret_cast<const __m128i*>(chunk->z)), here_z));
+      const __m256i square = _mm256_add_epi32(_mm256_madd_epi16(xy, xy), _mm256_mullo_epi32(z, z));
+      const auto set = static_cast<unsigned>(
+          _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(limit, square))));
+      const __m256i spheres = _mm256_or_si256(_mm256_load_si256(lanes + 1), ways);
+      const __m256i order =
+          _mm256_load_si256(reinterpret_cast<const __m256i*>(compressions.lanes[set]));
+      _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
+                          _mm256_permutevar8x32_epi32(spheres, order));
+      found += __builtin_popcount(set);
+      chunk = next_of(*chunk, further);
+    } while (chunk != nullptr);
+    here = _mm256_sub_epi16(here, next_cell);
+  }
+  return found;
+}
+
+#endif
+
+}  // namespace
+
+AnchorCells::AnchorCells(std::int32_t cells)
+    : chunks_(static_cast<std::size_t>(cells), empty_chunk()) {}
+
+Neighbour* AnchorCells::find(std::int32_t first, std::int32_t last, const Target& target, Way way,
+                             Neighbour* found) const {
+  const std::span<const Chunk> row(&chunk(first), &chunk(last) + 1);
+  const std::uint32_t code = Neighbour(0, way).packed();
+#ifdef ZENOSPHERE_HAS_WIDE_LANES
+  if (has_wide_lanes()) return find_wide(row, further_.data(), target, code, found);
+#endif
+  return find_in(row, further_.data(), target, code, found);
+}
+
+void AnchorCells::insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor) {
+  Chunk* last = &chunk(cell);
+  std::size_t chunks = 1;
+  for (; last->next >= 0; ++chunks) last = &further_[static_cast<std::size_t>(last->next)];
+  std::size_t k = taken(*last);
+  if (k == lanes) {
+    last = &append_to(*last);
+    k = 0;
+    longest_ = std::max(longest_, chunks + 1);
+  }
+  last->sphere[k] = sphere;
+  last->xy[k][0] = anchor.place[0];
+  last->xy[k][1] = anchor.place[1];
+  last->z[k] = anchor.place[2];
+}
+
+/// The last sphere of the cell takes the free place.
+void AnchorCells::remove(std::int32_t sphere, std::int32_t cell) {
+  Chunk* holder = nullptr;
+  std::size_t place = 0;
+  Chunk* before_last = nullptr;
+  Chunk* last = &chunk(cell);
+  for (;;) {
+    if (const std::size_t k = place_of(*last, sphere); k < lanes) {
+      holder = last;
+      place = k;
+    }
+    if (last->next < 0) break;
+    before_last = last;
+    last = &further_[static_cast<std::size_t>(last->next)];
+  }
+  assert(holder);
+  const std::size_t k = taken(*last) - 1;
+  holder->sphere[place] = last->sphere[k];
+  std::copy_n(last->xy[k], 2, holder->xy[place]);
+  holder->z[place] = last->z[k];
+  last->sphere[k] = free_place;
+  last->xy[k][0] = far_away;
+  last->xy[k][1] = last->z[k] = 0;
+  if (k == 0 && before_last) {
+    unused_.push_back(std::exchange(before_last->next, Chunk::none));
+  }
+}
+
+/// Gives a cell, whose last chunk this is, one more.
+AnchorCells::Chunk& AnchorCells::append_to(Chunk& last) {
+  std::int32_t number = 0;
+  if (unused_.empty()) {
+    number = static_cast<std::int32_t>(further_.size());
+    last.next = number;  // before further_ moves, and `last` with it
+    further_.push_back(empty_chunk());
+  } else {
+    number = unused_.back();
+    last.next = number;
+    unused_.pop_back();
+  }
+  return further_[static_cast<std::size_t>(number)];
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/large_vector.hpp"
+#include "engine/neighbour_lists.hpp"
+
+namespace zenosphere {
+
+/// The middle of the ball in which a sphere stays until it is settled again.
+struct Anchor {
+  std::array<std::int16_t, 3> place{};  ///< from the lower corner of its cell, in grains
+  float expires = 0;  ///< remainder of the clock: the sphere is settled again by then
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.place, self.expires);
+  }
+};
+
+/// The anchors of the spheres, cell by cell, side by side as a search for neighbours reads them.
+///
+/// An anchor need not be just where the sphere was, only known exactly. Places are counted in
+/// grains, of which the widest cell has `grains_a_cell` in a row: integers of 16 bits, whatever the
+/// size of the box.
+class AnchorCells {
+ public:
+  ///
+  /// Five cells of them are within 16 bits, and so far from the end that free places are out of
+  /// reach.
+  static constexpr int grains_a_cell = 6000;
+
+  /// What is looked for: anchors within a distance of a place that slides along x.
+  struct Target {
+    std::array<std::int16_t, 3> place;  ///< from the lower corner of the first cell, grains
+    std::int16_t cell_width;            ///< along x, grains
+    std::int16_t slide;                 ///< how far either way, grains
+    std::int32_t square;                ///< of the distance, grains^2
+  };
+
+  explicit AnchorCells(std::int32_t cells);
+
+  void insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor);
+  void remove(std::int32_t sphere, std::int32_t cell);
+
+  /// Appends the neighbours in the cells `first` to `last`, of one row, to `found`.
+  ///
+  /// \param found  with room for eight more than room() for each cell
+  /// \return       the new end
+  Neighbour* find(std::int32_t first, std::int32_t last, const Target& target, Way way,
+                  Neighbour* found) const;
+
+  /// No cell has had more spheres, or few more.
+  std::size_t room() const { return longest_ * lanes; }
+
+  /// Fetches a cell into the cache.
+  void prefetch(std::int32_t cell) const {
+    __builtin_prefetch(&chunk(cell));
+    __builtin_prefetch(&chunk(cell).next);
+  }
+
+  static constexpr std::size_t lanes = 8;
+
+  /// Places for eight spheres; at free ones, which come last, the anchor is far from everywhere.
+  struct alignas(32) Chunk {
+    static constexpr std::int32_t none = -1;
+    std::int16_t xy[lanes][2];
+    std::int32_t sphere[lanes];
+    std::int16_t z[lanes];
+    std::int32_t next = none;  ///< further spheres of the cell
+  };
+
+ private:
+  Chunk& append_to(Chunk& last);
+  const Chunk& chunk(std::int32_t cell) const { return chunks_[static_cast<std::size_t>(cell)]; }
+  Chunk& chunk(std::int32_t cell) { return chunks_[static_cast<std::size_t>(cell)]; }
+
+  LargeVector<Chunk> chunks_;         ///< the first of each cell
+  std::vector<Chunk> further_;        ///< of cells in which spheres crowd together
+  std::vector<std::int32_t> unused_;  ///< of the further ones
+  std::size_t longest_ = 1;
+};
+
+}  // namespace zenosphere

@@ -1,0 +1,161 @@
+#include "engine/neighbour_lists.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+#include <utility>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace zenosphere {
+
+namespace {
+
+/// Of lists longer than this the rest is dealt with one by one.
+constexpr std::size_t most_in_a_set = 64;
+
+/// Where `wanted` stands among `count` entries, of which only the bits in `mask` count: a set of
+/// bits. Entries are compared four at a time, up to three behind the last.
+std::uint64_t places_of(const Neighbour* entries, std::size_t count, std::uint32_t wanted,
+                        std::uint32_t mask) {
+  std::uint64_t places = 0;
+  count = std::min(count, most_in_a_set);
+#ifdef __SSE2__
+  const __m128i pattern = _mm_set1_epi32(static_cast<int>(wanted));
+  const __m128i bits = _mm_set1_epi32(static_cast<int>(mask));
+  for (std::size_t k = 0; k < count; k += 4) {
+    const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(entries + k));
+    const __m128i equal = _mm_cmpeq_epi32(_mm_and_si128(four, bits), pattern);
+    const auto set = static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(equal)));
+    places |= std::uint64_t{set} << k;
+  }
+  return count == most_in_a_set ? places : places & ((std::uint64_t{1} << count) - 1);
+#else
+  for (std::size_t k = 0; k < count; ++k) {
+    places |= std::uint64_t{(entries[k].packed() & mask) == wanted} << k;
+  }
+  return places;
+#endif
+}
+
+/// What may be read behind the end of a list, since entries are read four at a time.
+constexpr std::size_t slack = 3;
+
+/// Room for nearly all lists, where their lengths scatter as in a fluid.
+std::size_t fitting_room(double mean) {
+  constexpr double spare = 4;
+  const auto fours = static_cast<std::size_t>(std::clamp((mean + spare) / 4, 1.0, 1000.0));
+  return 4 * (fours + 1);
+}
+
+}  // namespace
+
+NeighbourLists::NeighbourLists(std::int32_t spheres, double mean)
+    : room_(fitting_room(mean)),
+      counts_(static_cast<std::size_t>(spheres), 0),
+      entries_(static_cast<std::size_t>(spheres) * room_) {}
+
+std::uint64_t NeighbourLists::places(std::int32_t i, std::int32_t j) const {
+  const auto list = of(i);
+  return places_of(list.data(), list.size(), static_cast<std::uint32_t>(j), Neighbour::sphere_mask);
+}
+
+void NeighbourLists::add_one_way(std::int32_t i, Neighbour neighbour) {
+  const std::size_t count = this->count(i);
+  if (count < room_) [[likely]] {
+    entries_[at(i) + count] = neighbour;
+    ++counts_[static_cast<std::size_t>(i)];
+    return;
+  }
+  resize(i, count + 1)[count] = neighbour;
+}
+
+void NeighbourLists::drop(std::int32_t i, Neighbour neighbour) {
+  Neighbour* const list = entries(i);
+  const std::size_t count = this->count(i);
+  const std::uint64_t places = places_of(list, count, neighbour.packed(), ~std::uint32_t{0});
+  Neighbour* const place =
+      places != 0 ? list + std::countr_zero(places) : std::find(list, list + count, neighbour);
+  if (place == list + count) return;  // only in a state that somebody has made up
+  *place = list[count - 1];
+  if (count <= room_) [[likely]] {
+    --counts_[static_cast<std::size_t>(i)];
+    return;
+  }
+  resize(i, count - 1);
+}
+
+/// Lets the list of i have `count` entries, of which those that there are stay. Returns the list.
+Neighbour* NeighbourLists::resize(std::int32_t i, std::size_t count) {
+  if (count > most) throw std::length_error("more neighbours than a sphere can have");
+  Neighbour* const usual = entries_.data() + at(i);
+  const std::size_t before = this->count(i);
+  const bool was_long = is_long(i);
+  counts_[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(count);
+  if (!was_long && !is_long(i)) [[likely]]
+    return usual;
+  const std::uint32_t number = was_long ? usual->packed() : take_long_list();
+  std::vector<Neighbour>& list = long_[number];
+  if (list.size() < count + slack) list.resize(2 * count + slack);
+  if (!was_long) {
+    std::copy_n(usual, before, list.begin());
+    *usual = Neighbour::from_packed(number);
+  }
+  if (is_long(i)) return list.data();
+  std::copy_n(list.begin(), count, usual);
+  unused_.push_back(number);
+  return usual;
+}
+
+std::uint32_t NeighbourLists::take_long_list() {
+  if (unused_.empty()) {
+    long_.emplace_back();
+    return static_cast<std::uint32_t>(long_.size() - 1);
+  }
+  const std::uint32_t number = unused_.back();
+  unused_.pop_back();
+  return number;
+}
+
+std::size_t NeighbourLists::replace(std::int32_t i, std::span<Neighbour> now) {
+  const std::size_t count = this->count(i);
+  before_.assign(entries(i), entries(i) + count);
+  before_.resize(count + slack);
+  const std::size_t compared = std::min(count, most_in_a_set);
+  std::uint64_t kept = 0;
+  std::size_t fresh = 0;
+  for (Neighbour& neighbour : now) {
+    const std::uint64_t place =
+        places_of(before_.data(), compared, neighbour.packed(), ~std::uint32_t{0});
+    kept |= place;
+    // Changes places with the first that is not new, without a branch.
+    const bool is_new = place == 0;
+    const Neighbour first = now[fresh];
+    const Neighbour self = neighbour;
+    neighbour = is_new ? first : self;
+    now[fresh] = is_new ? self : first;
+    fresh += is_new ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_kept = k < compared && (kept >> k & 1) != 0;
+    if (!is_kept) drop(before_[k].sphere(), before_[k].reversed(i));
+  }
+  std::copy(now.begin(), now.end(), resize(i, now.size()));
+  for (const Neighbour neighbour : now.first(fresh)) {
+    add_one_way(neighbour.sphere(), neighbour.reversed(i));
+  }
+  return fresh;
+}
+
+void NeighbourLists::turn() {
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    Neighbour* const list = entries(static_cast<std::int32_t>(i));
+    for (std::size_t k = 0; k < counts_[i]; ++k) {
+      list[k] = {list[k].sphere(), list[k].way().after_whole_turn()};
+    }
+  }
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/large_vector.hpp"
+#include "engine/way.hpp"
+#include "model/limits.hpp"
+
+namespace zenosphere {
+
+/// A sphere as a neighbour: who, and which way leads there.
+class Neighbour {
+ public:
+  /// Numbers of spheres have so many bits; the way takes the other eight.
+  static constexpr int sphere_bits = 24;
+  static constexpr std::uint32_t sphere_mask = (std::uint32_t{1} << sphere_bits) - 1;
+  static_assert(most_spheres <= sphere_mask);
+
+  Neighbour() = default;
+  Neighbour(std::int32_t sphere, Way way)
+      : packed_(static_cast<std::uint32_t>(way.code()) << sphere_bits |
+                static_cast<std::uint32_t>(sphere)) {}
+  static Neighbour from_packed(std::uint32_t packed) {
+    Neighbour neighbour;
+    neighbour.packed_ = packed;
+    return neighbour;
+  }
+
+  std::uint32_t packed() const { return packed_; }
+  std::int32_t sphere() const { return static_cast<std::int32_t>(packed_ & sphere_mask); }
+  Way way() const { return Way::from_code(static_cast<std::int32_t>(packed_ >> sphere_bits)); }
+
+  /// How sphere i, whose neighbour this is, is seen from here.
+  Neighbour reversed(std::int32_t i) const { return {i, way().reversed()}; }
+
+  friend bool operator==(const Neighbour&, const Neighbour&) = default;
+
+ private:
+  std::uint32_t packed_ = 0;
+};
+
+/// Who is near whom: for each sphere those that it can touch before either one is settled anew.
+///
+/// If j is on the list of i, then i is on the list of j with the reversed way. The order on a list
+/// means nothing. All lists have the same room; the few that are longer are kept elsewhere.
+class NeighbourLists {
+ public:
+  static constexpr std::size_t most = 65532;  ///< on one list
+
+  /// \param mean  length that lists are expected to have
+  NeighbourLists(std::int32_t spheres, double mean);
+
+  /// The neighbours of i. Up to three more may be read, some that there have been once.
+  std::span<const Neighbour> of(std::int32_t i) const { return {entries(i), count(i)}; }
+
+  /// Where j stands on the list of i, as a set of bits; among the first 64.
+  std::uint64_t places(std::int32_t i, std::int32_t j) const;
+
+  /// Gives i the neighbours `now`, and i to them; takes it from those that it had before.
+  ///
+  /// \param now  in any order; afterwards those that are new come first
+  /// \return     how many are new; of those behind the 64th it may be taken for granted
+  std::size_t replace(std::int32_t i, std::span<Neighbour> now);
+
+  /// Makes i and `neighbour` neighbours of each other, which they must not be yet.
+  void add(std::int32_t i, Neighbour neighbour) {
+    add_one_way(i, neighbour);
+    add_one_way(neighbour.sphere(), neighbour.reversed(i));
+  }
+
+  /// Corrects all ways for layers that have slid by a whole box.
+  void turn();
+
+  /// Fetches the list of i into the cache.
+  void prefetch(std::int32_t i) const {
+    const auto* const list = reinterpret_cast<const char*>(entries_.data() + at(i));
+    __builtin_prefetch(list);
+    __builtin_prefetch(list + room_ * sizeof(Neighbour) - 1);
+  }
+
+ private:
+  std::size_t count(std::int32_t i) const { return counts_[static_cast<std::size_t>(i)]; }
+  std::size_t at(std::int32_t i) const { return static_cast<std::size_t>(i) * room_; }
+  bool is_long(std::int32_t i) const { return count(i) > room_; }
+
+  /// In place of its first entry, a list that is longer has its number here.
+  const Neighbour* entries(std::int32_t i) const {
+    const Neighbour* const list = entries_.data() + at(i);
+    return is_long(i) ? long_[list->packed()].data() : list;
+  }
+  Neighbour* entries(std::int32_t i) {
+    return const_cast<Neighbour*>(std::as_const(*this).entries(i));
+  }
+
+  void add_one_way(std::int32_t i, Neighbour neighbour);
+  void drop(std::int32_t i, Neighbour neighbour);
+  Neighbour* resize(std::int32_t i, std::size_t count);
+  std::uint32_t take_long_list();
+
+  std::size_t room_;  ///< a multiple of four
+  LargeVector<std::uint16_t> counts_;
+  LargeVector<Neighbour> entries_;
+  std::vector<std::vector<Neighbour>> long_;
+  std::vector<std::uint32_t> unused_;  ///< of the long ones
+  std::vector<Neighbour> before_;      ///< scratch
+};
+
+}  // namespace zenosphere

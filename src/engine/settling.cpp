@@ -1,0 +1,66 @@
+#include "engine/settling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/anchor_cells.hpp"
+#include "model/instantiate.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// How far apart anchors on one list may be, diameters. Where the spheres of a dilute system crowd
+/// together the lists have to hold them: some 400 that are packed closely.
+double most_width(int dimension) {
+  constexpr std::array<double, 3> most{100, 9, 4};
+  return most[static_cast<std::size_t>(dimension - 1)];
+}
+
+}  // namespace
+
+double fitting_cell_width(double volume, std::int64_t spheres, int dimension) {
+  constexpr double spheres_a_cell = 3.5;
+  constexpr double cells_a_sphere = 2;  // at most, however dilute
+  constexpr double least = 1.1;
+  const double share = volume / static_cast<double>(spheres);
+  const double width = std::pow(spheres_a_cell * share, 1.0 / dimension);
+  const double sparse = std::pow(share / cells_a_sphere, 1.0 / dimension);
+  return std::max({std::min(width, most_width(dimension)), sparse, least});
+}
+
+/// Two spheres that may touch have anchors within 1 + 2 reach, which no cell may be narrower than.
+template <int Dim, class Real>
+Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
+  constexpr int grains_of_error = 4;  // of the distance of two anchors; twice that is left
+  double widest = 0;
+  double width = fitting_cell_width(static_cast<double>(box.volume()), spheres, Dim);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double here = static_cast<double>(box.cell_width()[axis]);
+    widest = std::max(widest, here);
+    const bool is_alone = box.is_closed(axis) && box.cells()[static_cast<std::size_t>(axis)] == 2;
+    if (!is_alone) width = std::min(width, here);  // alone but for the empty cell beyond the wall
+  }
+  width = std::min(width, widest);  // what the grains of a cell measure
+  Settling settling{};
+  settling.grain = widest / AnchorCells::grains_a_cell;
+  width = std::min(width, std::max(most_width(Dim), 1 + 100 * settling.grain));
+  settling.reach = (width - 1) / 2 - grains_of_error * settling.grain;
+  settling.distance = width;
+  settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / 2
+                                     : std::numeric_limits<double>::infinity();
+  constexpr std::array<double, 3> unit_balls{2, std::numbers::pi, 4 * std::numbers::pi / 3};
+  settling.neighbours = spheres / static_cast<double>(box.volume()) *
+                        unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(width, Dim);
+  return settling;
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real) \
+  template Settling settling_in(const ShearBox<Dim, Real>&, std::int32_t);
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include "model/shear_box.hpp"
+
+namespace zenosphere {
+
+/// How far and for how long a sphere may go until it is settled again.
+struct Settling {
+  double grain;       ///< unit of places within cells, diameters
+  double reach;       ///< from its anchor, diameters
+  double distance;    ///< of anchors, diameters: spheres further apart cannot touch
+  double window;      ///< time; infinite without shear
+  double neighbours;  ///< on a list, where the spheres are spread evenly
+};
+template <int Dim, class Real>
+Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres);
+
+/// The width that cells should have, in diameters: so that some fifteen neighbours are in reach.
+///
+/// Wider cells mean longer lists that last longer.
+double fitting_cell_width(double volume, std::int64_t spheres, int dimension);
+
+}  // namespace zenosphere

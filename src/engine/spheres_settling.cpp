@@ -1,0 +1,240 @@
+// Where spheres are settled, and who is near them then.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/spheres.hpp"
+#include "model/instantiate.hpp"
+#include "model/walls.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+/// Three rows of three, in each of which at most five cells are within reach.
+constexpr std::size_t most_cells_around = 3 * 3 * 5;
+
+/// The floor of a number, from `least` to `most` whatever it is: in a state that somebody has made
+/// up it may be anything.
+template <class Real>
+int floor_within(int least, int most, const Real& number) {
+  using std::floor;
+  if (!(number > least)) return least;
+  return number < most ? static_cast<int>(floor(number)) : most;
+}
+
+}  // namespace
+
+template <int Dim, class Real>
+Real Spheres<Dim, Real>::unsettled_at(std::int32_t i, const Real& when, const Real& until) const {
+  const Sphere& sphere = (*this)[i];
+  const Anchor& anchor = this->anchor(i);
+  const Vector corner = this->corner(sphere.cell);
+  const Vector place = position_at(sphere, when);
+  const Vector velocity = velocity_at(sphere, when);
+  Vector away;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Real middle = anchor.place[static_cast<std::size_t>(axis)] * Real(settling_.grain);
+    away[axis] = (place[axis] - corner[axis]) - middle;
+  }
+  if (!falls_) {
+    const Vector then = away + velocity * (until - when);
+    const Real reach = Real(settling_.reach);
+    if (dot(then, then) < reach * reach) return static_cast<Real>(anchor.expires);
+  }
+  const Real left = when + (falls_ ? time_in_cube(away, velocity) : time_in_ball(away, velocity));
+  const Real expires = static_cast<Real>(anchor.expires);
+  return left < expires ? left : expires;
+}
+
+/// Time until a sphere that flies straight is `settling_.reach` away from its anchor.
+///
+/// \param away  its place relative to the anchor
+template <int Dim, class Real>
+Real Spheres<Dim, Real>::time_in_ball(const Vector& away, const Vector& velocity) const {
+  using std::sqrt;
+  const Real v2 = dot(velocity, velocity);
+  if (!(v2 > 0)) return std::numeric_limits<Real>::infinity();
+  const Real b = dot(away, velocity);
+  const Real room = Real(settling_.reach) * Real(settling_.reach) - dot(away, away);
+  if (!(room > 0)) return 0;  // outside already, by rounding
+  const Real root = sqrt(b * b + v2 * room);
+  if (!(root > 0)) return std::numeric_limits<Real>::infinity();  // too slow for the exponent
+  return b > 0 ? room / (b + root) : (root - b) / v2;
+}
+
+/// Time until a falling sphere leaves the cube inside that ball.
+template <int Dim, class Real>
+Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity) const {
+  const Real half = Real(settling_.reach / std::sqrt(static_cast<double>(Dim)));
+  Real first = std::numeric_limits<Real>::infinity();
+  for (int axis = 0; axis < Dim; ++axis) {
+    for (const int direction : {-1, 1}) {
+      const auto time =
+          closing_time<Real>(half - direction * away[axis], -direction * velocity[axis],
+                             -direction * acceleration_[axis]);
+      if (time && *time < first) first = *time;
+    }
+  }
+  return first;
+}
+
+template <int Dim, class Real>
+std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real& when) {
+  Sphere& sphere = (*this)[i];
+  anchor_cells_.remove(i, sphere.cell);
+  if (go_home(sphere, when)) {
+    // Every way now leads elsewhere. In a narrow box, with several ways to one neighbour, one that
+    // is known could pass for another one that is new.
+    lists_.replace(i, {});
+  }
+  drop_anchor(i, when);
+  const std::span<Neighbour> neighbours = neighbours_of(i, when);
+  const std::size_t fresh = lists_.replace(i, neighbours);
+  anchor_cells_.insert(i, sphere.cell, anchor(i));
+  return neighbours.first(fresh);
+}
+
+template <int Dim, class Real>
+void Spheres<Dim, Real>::drop_anchor(std::int32_t i, const Real& when) {
+  const Vector place = position_at((*this)[i], when);
+  const Vector corner = this->corner((*this)[i].cell);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double grains = static_cast<double>(place[axis] - corner[axis]) / settling_.grain;
+    anchor(i).place[static_cast<std::size_t>(axis)] =
+        static_cast<std::int16_t>(floor_within(0, AnchorCells::grains_a_cell, grains + 0.5));
+  }
+  anchor(i).expires = static_cast<float>(static_cast<double>(when) + settling_.window);
+}
+
+/// The lower corner of a cell.
+template <int Dim, class Real>
+Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t cell) const {
+  const Steps<Dim> coordinates = cells_.coordinates(cell);
+  Vector corner;
+  for (int axis = 0; axis < Dim; ++axis) {
+    corner[axis] = coordinates[static_cast<std::size_t>(axis)] * box_.cell_width()[axis];
+  }
+  return corner;
+}
+
+/// Gives a sphere the cell in which it is at `when`, and the frame of that cell's layer. It stays
+/// stored for the time for which it was: only where it has left its layer or the box is it rounded.
+///
+/// \return  whether it has
+template <int Dim, class Real>
+bool Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when) const {
+  const Vector position = position_at(sphere, when);
+  const Vector& width = box_.cell_width();
+  const Steps<Dim> old = cells_.coordinates(sphere.cell);
+  Steps<Dim> home{};
+  Steps<Dim> periods{};
+  int layers = 0;
+  for (int axis = Dim - 1; axis >= 0; --axis) {  // the layer first: it decides about the column
+    const auto a = static_cast<std::size_t>(axis);
+    const int cells = box_.cells()[a];
+    Real place = position[axis];
+    if (axis == 0) place -= layers * (box_.slide_speed() * when);
+    int cell = floor_within(-cells, 2 * cells - 1, Real(place / width[axis]));
+    if (axis == 0) cell -= layers * cells_.whole_slide();
+    if (box_.is_closed(axis)) cell = std::clamp(cell, 0, cells - 2);
+    periods[a] = cell < 0 ? -1 : cell >= cells ? 1 : 0;
+    if (axis == 0) periods[a] += cell < -cells ? -1 : cell >= 2 * cells ? 1 : 0;
+    home[a] = std::clamp(cell - periods[a] * cells, 0, cells - 1);
+    if (axis == 1) layers = std::clamp(cell - old[a], -1, 1);
+  }
+  sphere.cell = cells_.index(home);
+  const Way way(periods, layers);
+  if (way == Way()) return false;
+  const auto& image = images_[static_cast<std::size_t>(way.code())];
+  sphere.position -= image.position;
+  sphere.position[0] -= image.velocity * sphere.time;
+  sphere.velocity[0] -= image.velocity;
+  return true;
+}
+
+/// All spheres whose balls come within a diameter of the ball of i while one slides past the
+/// other.
+template <int Dim, class Real>
+std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Real& when) {
+  const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
+  const Anchor& anchor = this->anchor(i);
+  // Adjacent layers slide on by half a cell while the list lasts: a quarter either way of the
+  // middle.
+  const int quarter = box_.is_sheared() ? cell_grains_[0] / 4 + 1 : 0;
+  const int slid = static_cast<int>(slid_columns(when) * cell_grains_[0] + 0.5) + quarter;
+  nearby_.resize(most_cells_around * anchor_cells_.room() + AnchorCells::lanes);
+  Neighbour* end = nearby_.data();
+  AnchorCells::Target target{};
+  target.cell_width = static_cast<std::int16_t>(cell_grains_[0]);
+  const double distance = settling_.distance / settling_.grain;
+  target.square = static_cast<std::int32_t>(distance * distance);
+  cells_.for_each_run(
+      home, columns_within_reach(i, slid_columns(when)),
+      [&](std::int32_t first, std::int32_t last, Way way, const Steps<Dim>& steps) {
+        const int layers = SlidingCells<Dim>::layers(steps);
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+          const int ahead = steps[axis] * cell_grains_[axis] + (axis == 0 ? layers * slid : 0);
+          target.place[axis] = static_cast<std::int16_t>(anchor.place[axis] - ahead);
+        }
+        target.slide = static_cast<std::int16_t>(layers != 0 ? quarter : 0);
+        end = anchor_cells_.find(first, last, target, way, end);
+      });
+  std::fill_n(end, 4, Neighbour(i, Way()));  // what looks at four at once may look beyond the end
+  return {nearby_.data(), static_cast<std::size_t>(end - nearby_.data())};
+}
+
+/// By how much of a cell each layer has slid against the one below it, beside whole cells; in
+/// [0, 1].
+template <int Dim, class Real>
+double Spheres<Dim, Real>::slid_columns(const Real& when) const {
+  if (!box_.is_sheared()) return 0;
+  return std::clamp(static_cast<double>(when / box_.clock_unit()), 0.0, 1.0);
+}
+
+/// The columns of the layers below, beside and above that come near an anchor while its list lasts.
+template <int Dim, class Real>
+typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(std::int32_t i,
+                                                                           double slid) const {
+  const double width = static_cast<double>(box_.cell_width()[0]);
+  const double place = anchor(i).place[0] * settling_.grain / width;
+  const double distance = settling_.distance / width;
+  typename SlidingCells<Dim>::Reach reach;
+  for (const int layers : {-1, 0, 1}) {
+    // The cell of column d then covers d + slide to d + slide + 1, and slides on by half a cell.
+    double least = 0;
+    double most = 0;
+    if (box_.is_sheared() && layers != 0) {
+      least = layers > 0 ? slid : -slid - 0.5;
+      most = least + 0.5;
+    }
+    reach[static_cast<std::size_t>(layers + 1)] = {
+        static_cast<int>(std::floor(place - distance - most)),
+        static_cast<int>(std::floor(place + distance - least))};
+  }
+  return reach;
+}
+
+template <int Dim, class Real>
+void Spheres<Dim, Real>::set_back(const Real& span) {
+  for (Sphere& sphere : spheres_) sphere.time -= span;
+  for (Anchor& anchor : anchors_) anchor.expires -= static_cast<float>(span);
+  if (!box_.is_sheared()) return;
+  cells_.slide_by_one_cell();
+  if (cells_.whole_slide() == 0) lists_.turn();
+  find_images();
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                       \
+  template Real Spheres<Dim, Real>::unsettled_at(std::int32_t, const Real&, const Real&) const; \
+  template std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t, const Real&);    \
+  template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&);                     \
+  template bool Spheres<Dim, Real>::go_home(Sphere&, const Real&) const;                        \
+  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);   \
+  template void Spheres<Dim, Real>::set_back(const Real&);
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "model/shear_box.hpp"
+
+namespace zenosphere {
+
+/// How the way from a sphere to a neighbour leads: through which faces of the box, and how many
+/// layers up or down. In one number below `count`, so that it fits beside a sphere's number.
+class Way {
+ public:
+  static constexpr std::int32_t count = 5 * 3 * 3 * 3;
+
+  Way() = default;
+  /// \param periods  boxes crossed along each axis; along x at most 2 either way, else 1
+  /// \param layers   -1, 0 or +1
+  template <std::size_t Dim>
+  Way(const std::array<int, Dim>& periods, int layers)
+      : code_((count - 1) / 2 + per_period[0] * periods[0] + layers) {
+    for (std::size_t axis = 1; axis < Dim; ++axis) code_ += per_period[axis] * periods[axis];
+  }
+  static Way from_code(std::int32_t code) {
+    Way way;
+    way.code_ = code;
+    return way;
+  }
+
+  std::int32_t code() const { return code_; }
+  int layers() const { return code_ % 3 - 1; }
+  int periods(int axis) const {
+    const auto a = static_cast<std::size_t>(axis);
+    return axis == 0 ? code_ / per_period[a] - 2 : code_ / per_period[a] % 3 - 1;
+  }
+
+  /// The same way, but through so many more faces normal to z.
+  Way beyond_z(int periods) const { return from_code(code_ + per_period[2] * periods); }
+
+  /// The way back.
+  Way reversed() const { return from_code(count - 1 - code_); }
+
+  /// The same way once the layers have slid by a whole box, counted from zero again.
+  Way after_whole_turn() const { return from_code(code_ + per_period[0] * layers()); }
+
+  friend bool operator==(const Way&, const Way&) = default;
+
+ private:
+  static constexpr std::array<std::int32_t, 3> per_period{27, 9, 3};
+
+  std::int32_t code_ = (count - 1) / 2;  // no face, the same layer
+};
+
+}  // namespace zenosphere

@@ -1,0 +1,24 @@
+#pragma once
+
+/// Code that handles several numbers at once needs AVX2. It is compiled beside code that does the
+/// same one by one, whatever processor the program is built for, and chosen where the program runs.
+/// Both do the same operations in the same order: the same bits come out.
+#if defined(__x86_64__) && !defined(ZENOSPHERE_NARROW_LANES)
+#include <immintrin.h>
+#define ZENOSPHERE_HAS_WIDE_LANES 1
+#define ZENOSPHERE_WIDE [[gnu::target("avx2,popcnt")]]
+#endif
+
+namespace zenosphere {
+
+/// Whether this processor can run what is marked ZENOSPHERE_WIDE.
+inline bool has_wide_lanes() {
+#ifdef ZENOSPHERE_HAS_WIDE_LANES
+  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+  return has;
+#else
+  return false;
+#endif
+}
+
+}  // namespace zenosphere

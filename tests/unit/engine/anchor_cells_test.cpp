@@ -1,0 +1,88 @@
+#include "engine/anchor_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "support/gas.hpp"
+
+namespace zenosphere {
+namespace {
+
+constexpr int kCells = 4;
+constexpr int kWidth = 5000;  // grains, along x
+
+struct Place {
+  std::int32_t cell;
+  Anchor anchor;
+};
+
+/// The same search, one by one.
+std::set<std::int32_t> within(const std::vector<Place>& places, const AnchorCells::Target& target) {
+  std::set<std::int32_t> found;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [cell, anchor] = places[i];
+    const int dx = std::abs(anchor.place[0] + cell * kWidth - target.place[0]);
+    const int along = std::max(0, dx - target.slide);
+    const int dy = anchor.place[1] - target.place[1];
+    const int dz = anchor.place[2] - target.place[2];
+    if (along * along + dy * dy + dz * dz < target.square) {
+      found.insert(static_cast<std::int32_t>(i));
+    }
+  }
+  return found;
+}
+
+void expect_agreement(int spheres) {
+  support::Dice dice(5);
+  const auto somewhere = [&](int from, int to) {
+    return static_cast<std::int16_t>(from + dice.below(to - from));
+  };
+  AnchorCells cells(kCells);
+  std::vector<Place> places;
+  for (std::int32_t i = 0; i < spheres; ++i) {
+    places.push_back({dice.below(kCells), {}});
+    places.back().anchor.place = {somewhere(0, kWidth), somewhere(0, 6000), somewhere(0, 6000)};
+    cells.insert(i, places.back().cell, places.back().anchor);
+  }
+  const Way way(Steps<3>{1, 0, -1}, 1);
+  for (int n = 0; n < 300; ++n) {
+    const std::int32_t moved = dice.below(spheres);
+    Place& place = places[static_cast<std::size_t>(moved)];
+    cells.remove(moved, place.cell);
+    place.cell = dice.below(kCells);
+    cells.insert(moved, place.cell, place.anchor);
+
+    const AnchorCells::Target target{
+        .place = {somewhere(-kWidth, 2 * kWidth), somewhere(-6000, 12000), somewhere(-6000, 12000)},
+        .cell_width = kWidth,
+        .slide = somewhere(0, n % 2 == 0 ? 1 : 2000),
+        .square = dice.below(36000000)};
+    std::vector<Neighbour> found(kCells * cells.room() + 8);
+    const Neighbour* const end = cells.find(0, kCells - 1, target, way, found.data());
+    std::set<std::int32_t> spheres_found;
+    for (const Neighbour* one = found.data(); one != end; ++one) {
+      ASSERT_EQ(one->way(), way);
+      ASSERT_TRUE(spheres_found.insert(one->sphere()).second);
+    }
+    ASSERT_EQ(spheres_found, within(places, target));
+  }
+}
+
+TEST(AnchorCells, FindWhatIsWithinADistance) { expect_agreement(10); }
+
+TEST(AnchorCells, FindItInCrowdedCells) { expect_agreement(120); }
+
+TEST(AnchorCells, FindNobodyInEmptyCells) {
+  const AnchorCells cells(kCells);
+  for (const auto x : {std::int16_t{-9000}, std::int16_t{0}, std::int16_t{24000}}) {
+    std::vector<Neighbour> found(kCells * cells.room() + 8);
+    const AnchorCells::Target target{{x, 0, 0}, kWidth, 1500, 6000 * 6000};
+    EXPECT_EQ(cells.find(0, kCells - 1, target, Way(), found.data()), found.data());
+  }
+}
+
+}  // namespace
+}  // namespace zenosphere
