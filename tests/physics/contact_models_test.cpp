@@ -194,7 +194,6 @@ solids_volume_fraction = 0.2
 [start]
 arrangement = "random"
 granular_temperature = 1
-seed = 2
 [drive]
 kind = "none"
 [collision]
@@ -215,9 +214,15 @@ time = 1
     for (; now < time - step / 2; now += step) {
       temperature += step * cooling_rate(temperature, rate, 0.03);
     }
-    const Summary run = test::run_text(gas, {"run.time=" + std::to_string(time)});
-    const double lost = run.averages->dissipation * run.time / density;
-    const double measured = 1 - 2 * lost / 3;
+    // From seed to seed the temperature at 60 scatters by 1.4 % (seen for 24): a mean over six.
+    constexpr int seeds = 6;
+    double measured = 0;
+    for (int seed = 1; seed <= seeds; ++seed) {
+      const Summary run = test::run_text(
+          gas, {"run.time=" + std::to_string(time), "start.seed=" + std::to_string(seed)});
+      const double lost = run.averages->dissipation * run.time / density;
+      measured += (1 - 2 * lost / 3) / seeds;
+    }
     EXPECT_NEAR(measured, temperature, 0.02 * temperature) << time;
     if (time == 10.0) {
       early = measured;
