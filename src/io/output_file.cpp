@@ -118,6 +118,7 @@ void OutputFile::guarded(Action action) {
     if (part_) part_->abandon();
     part_.reset();
     remove_quietly(part_path_);
+    if (published_) require_in_place();  // or else that is the reason
     throw OutputError(fmt::format("{}: could not be {} ({}); {}", path_.string(),
                                   published_ ? "written" : "created", reason, what_is_kept()));
   };
@@ -224,8 +225,9 @@ void OutputFile::keep_in_mind(Checkpoint checkpoint) {
 }
 
 void OutputFile::fold_if_due() {
-  if (part_ || journal_.size() < std::max(least_fold, size_of(target_))) return;
+  if (part_ || journal_.size() < least_fold) return;
   guarded([&] {
+    if (journal_.size() < size_of(target_)) return;
     const Checkpoint checkpoint = fold();
     part_->store(checkpoint);
     publish();
