@@ -104,7 +104,7 @@ def test_run_cut_off_again_and_again_ends_with_the_same_bits(program, system):
 
 
 def test_killed_run_goes_on_from_its_last_checkpoint(program):
-    changes = {"run.collisions": 60000, "output.checkpoint_collisions": 500}
+    changes = {"run.collisions": 400000, "output.checkpoint_collisions": 500}
     _, whole = program.keep(changes, "whole.h5")
     process = program.start(changes | {"output.collision_log": "all"})
     program.pause(0.1)
@@ -117,7 +117,7 @@ def test_killed_run_goes_on_from_its_last_checkpoint(program):
 
 
 def test_interrupted_run_goes_on_without_being_told_where_to(program):
-    changes = {"run.collisions": 150000, "output.collision_log": "all"}
+    changes = {"run.collisions": 800000, "output.collision_log": "all"}
     _, whole = program.keep(changes, "whole.h5")
     process = program.start(changes)
     process.send_signal(signal.SIGINT)
