@@ -85,9 +85,9 @@ ZENOSPHERE_WIDE FirstTwo first_two_wide(ContactsAhead<double>& ahead, double now
   if (count > 60) return first_two(ahead, now);
   _mm256_storeu_pd(times + count, never);
   const __m256d here = _mm256_set1_pd(now);
-  __m256d least = never;
+  __m256d least = never;  // as the second operand of min: a time that is no number does not count
   for (std::size_t k = 0; k < count; k += 4)
-    least = _mm256_min_pd(least, _mm256_add_pd(here, _mm256_loadu_pd(times + k)));
+    least = _mm256_min_pd(_mm256_add_pd(here, _mm256_loadu_pd(times + k)), least);
   least = least_of_all(least);
   std::uint64_t at = 0;
   __m256d next = never;
@@ -97,7 +97,7 @@ ZENOSPHERE_WIDE FirstTwo first_two_wide(ContactsAhead<double>& ahead, double now
     at |= static_cast<std::uint64_t>(_mm256_movemask_pd(is_least)) << k;
     two.meetings += __builtin_popcount(
         static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(t, never, _CMP_LT_OQ))));
-    next = _mm256_min_pd(next, _mm256_blendv_pd(t, never, is_least));
+    next = _mm256_min_pd(_mm256_blendv_pd(t, never, is_least), next);
   }
   if (two.meetings == 0) return two;
   if ((at & (at - 1)) != 0) [[unlikely]]
