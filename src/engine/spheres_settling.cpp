@@ -210,9 +210,13 @@ typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(std::
       least = layers > 0 ? slid : -slid - 0.5;
       most = least + 0.5;
     }
-    reach[static_cast<std::size_t>(layers + 1)] = {
-        static_cast<int>(std::floor(place - distance - most)),
-        static_cast<int>(std::floor(place + distance - least))};
+    int from = static_cast<int>(std::floor(place - distance - most));
+    int to = static_cast<int>(std::floor(place + distance - least));
+    if (box_.is_closed(0)) {  // a cell alone may be narrower, but beyond the walls there is nobody
+      from = std::max(from, -1);
+      to = std::min(to, 1);
+    }
+    reach[static_cast<std::size_t>(layers + 1)] = {from, to};
   }
   return reach;
 }

@@ -99,5 +99,17 @@ TEST(Spheres, KeepAPlaceBeyondAWallOnTheWall) {
   EXPECT_EQ(ball.configuration(0, 1.0).positions[0][0], 0);
 }
 
+TEST(Spheres, SeeNobodyBeyondTheWallsHoweverNarrowTheBox) {
+  // One cell between the walls, seven times narrower than the distance of neighbours.
+  const ShearBox<2, double> strip({1.2, 1000}, 0, 9, 0);
+  const Configuration<2, double> start{{{0.6, 10}, {0.6, 14}, {0.6, 500}},
+                                       {{0, 0}, {0, 0}, {0, 0}}};
+  const Spheres<2, double> spheres(strip, start, {});
+  ASSERT_GT(settling_in(strip, 3).distance, 7 * strip.cell_width()[0]);
+  ASSERT_EQ(spheres.neighbours(0).size(), 1u);
+  EXPECT_EQ(spheres.neighbours(0)[0], Neighbour(1, Way()));
+  EXPECT_EQ(spheres.neighbours(2).size(), 0u);
+}
+
 }  // namespace
 }  // namespace zenosphere
