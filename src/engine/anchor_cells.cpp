@@ -100,8 +100,7 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const Chunk> row, const Chunk* fu
   const __m256i limit = _mm256_set1_epi32(target.square);
   const __m256i ways = _mm256_set1_epi32(static_cast<int>(way));
   for (const Chunk& first : row) {
-    const Chunk* chunk = &first;
-    do {
+    for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
       const auto* const lanes = reinterpret_cast<const __m256i*>(chunk);
       // Saturated, so that free places remain far away.
       const __m256i xy = _mm256_subs_epu16(
@@ -117,8 +116,7 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const Chunk> row, const Chunk* fu
       _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
                           _mm256_permutevar8x32_epi32(spheres, order));
       found += __builtin_popcount(set);
-      chunk = next_of(*chunk, further);
-    } while (chunk != nullptr);
+    }
     here = _mm256_sub_epi16(here, next_cell);
   }
   return found;

@@ -64,11 +64,6 @@ std::uint64_t NeighbourLists::places(std::int32_t i, std::int32_t j) const {
 
 void NeighbourLists::add_one_way(std::int32_t i, Neighbour neighbour) {
   const std::size_t count = this->count(i);
-  if (count < room_) [[likely]] {
-    entries_[at(i) + count] = neighbour;
-    ++counts_[static_cast<std::size_t>(i)];
-    return;
-  }
   resize(i, count + 1)[count] = neighbour;
 }
 
@@ -80,10 +75,6 @@ void NeighbourLists::drop(std::int32_t i, Neighbour neighbour) {
       places != 0 ? list + std::countr_zero(places) : std::find(list, list + count, neighbour);
   if (place == list + count) return;  // only in a state that somebody has made up
   *place = list[count - 1];
-  if (count <= room_) [[likely]] {
-    --counts_[static_cast<std::size_t>(i)];
-    return;
-  }
   resize(i, count - 1);
 }
 

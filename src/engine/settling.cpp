@@ -32,7 +32,6 @@ double fitting_cell_width(double volume, std::int64_t spheres, int dimension) {
   return std::max({std::min(width, most_width(dimension)), sparse, least});
 }
 
-/// Two spheres that may touch have anchors within 1 + 2 reach, which no cell may be narrower than.
 template <int Dim, class Real>
 Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   constexpr int grains_of_error = 4;  // of the distance of two anchors; twice that is left

@@ -14,6 +14,9 @@ struct Settling {
   double window;      ///< time; infinite without shear
   double neighbours;  ///< on a list, where the spheres are spread evenly
 };
+
+/// What suits so many spheres in a box that is cut into cells. Two spheres that may touch have
+/// anchors within 1 + 2 reach, which no cell may be narrower than.
 template <int Dim, class Real>
 Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres);
 

@@ -39,13 +39,14 @@ Real Spheres<Dim, Real>::unsettled_at(std::int32_t i, const Real& when, const Re
     const Real middle = anchor.place[static_cast<std::size_t>(axis)] * Real(settling_.grain);
     away[axis] = (place[axis] - corner[axis]) - middle;
   }
+  const Real expires = static_cast<Real>(anchor.expires);
   if (!falls_) {
+    // Most spheres meet somebody before they leave their ball: that needs no root.
     const Vector then = away + velocity * (until - when);
     const Real reach = Real(settling_.reach);
-    if (dot(then, then) < reach * reach) return static_cast<Real>(anchor.expires);
+    if (dot(then, then) < reach * reach) return expires;
   }
   const Real left = when + (falls_ ? time_in_cube(away, velocity) : time_in_ball(away, velocity));
-  const Real expires = static_cast<Real>(anchor.expires);
   return left < expires ? left : expires;
 }
 

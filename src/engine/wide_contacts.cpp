@@ -117,22 +117,21 @@ ZENOSPHERE_WIDE FirstTwo first_two_wide(ContactsAhead<double>& ahead, double now
   return two;
 }
 
-ZENOSPHERE_WIDE void find_contacts_wide(const Sphere<3, double>* spheres,
-                                        std::span<const Neighbour> neighbours,
-                                        const Image<3, double>* images,
-                                        const Viewpoint<3, double>& from,
-                                        ContactsAhead<double>& ahead) {
+namespace {
+
+/// Those that may touch, as may_touch() says of each, behind the contacts already found; with
+/// dr.dr where their times will be.
+/// @return how many.
+ZENOSPHERE_WIDE inline std::size_t add_those_that_may_touch(const Sphere<3, double>* spheres,
+                                                            std::span<const Neighbour> neighbours,
+                                                            const Image<3, double>* images,
+                                                            const Viewpoint<3, double>& from,
+                                                            ContactsAhead<double>& ahead) {
   constexpr std::uint32_t numbers = Neighbour::sphere_mask;
-  const std::size_t begin = ahead.count;
-  ahead.make_room(neighbours.size());
-  double* const times = ahead.time.data() + begin;  // dr.dr at first
-  double* const approaches = ahead.approach.data() + begin;
-  double* const speeds = ahead.speed_squared.data() + begin;
-  // Those that may touch: what may_touch() says of each.
   const __m256d when = _mm256_set1_pd(from.when);
   const __m256d limit = _mm256_set1_pd(1 + approach_margin);
   const __m256d zero = _mm256_setzero_pd();
-  std::size_t count = 0;
+  std::size_t end = ahead.count;
   const auto size = static_cast<std::ptrdiff_t>(neighbours.size());
   const auto* const packed = reinterpret_cast<const std::uint32_t*>(neighbours.data());
   for (std::ptrdiff_t first = 0; first < size; first += 4) {
@@ -164,38 +163,56 @@ ZENOSPHERE_WIDE void find_contacts_wide(const Sphere<3, double>* spheres,
                                     _mm256_mul_pd(v2, _mm256_sub_pd(r2, limit)), _CMP_GE_OQ));
     unsigned set = static_cast<unsigned>(_mm256_movemask_pd(touch));
     if (size - first < 4) set &= (1U << (size - first)) - 1;
-    const __m128i spheres_four =
-        _mm_and_si128(_mm_loadu_si128(reinterpret_cast<const __m128i*>(some)),
-                      _mm_set1_epi32(static_cast<int>(numbers)));
-    _mm256_storeu_pd(approaches + count, compressed(b, set));
-    _mm256_storeu_pd(speeds + count, compressed(v2, set));
-    _mm256_storeu_pd(times + count, compressed(r2, set));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(ahead.partner.data() + begin + count),
-                     compressed(spheres_four, set));
-    count += static_cast<std::size_t>(__builtin_popcount(set));
+    const __m128i partners = _mm_and_si128(_mm_loadu_si128(reinterpret_cast<const __m128i*>(some)),
+                                           _mm_set1_epi32(static_cast<int>(numbers)));
+    _mm256_storeu_pd(ahead.approach.data() + end, compressed(b, set));
+    _mm256_storeu_pd(ahead.speed_squared.data() + end, compressed(v2, set));
+    _mm256_storeu_pd(ahead.time.data() + end, compressed(r2, set));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(ahead.partner.data() + end),
+                     compressed(partners, set));
+    end += static_cast<std::size_t>(__builtin_popcount(set));
   }
-  // When they touch: what contact() says of each.
+  return end - ahead.count;
+}
+
+/// When the contacts from `begin` up to `end` come, as contact() says of each, in place of dr.dr.
+ZENOSPHERE_WIDE inline void find_when_they_touch(ContactsAhead<double>& ahead, std::size_t begin,
+                                                 std::size_t end) {
+  const __m256d zero = _mm256_setzero_pd();
   const __m256d one = _mm256_set1_pd(1);
   const __m256d never = _mm256_set1_pd(std::numeric_limits<double>::infinity());
   const __m256d sign = _mm256_set1_pd(-0.0);
   unsigned overlaps = 0;
-  for (std::size_t k = 0; k < count; k += 4) {
-    const __m256d b = _mm256_loadu_pd(approaches + k);
-    const __m256d distance = _mm256_sqrt_pd(_mm256_loadu_pd(times + k));
+  for (std::size_t k = begin; k < end; k += 4) {
+    double* const times = ahead.time.data() + k;
+    const __m256d b = _mm256_loadu_pd(ahead.approach.data() + k);
+    const __m256d v2 = _mm256_loadu_pd(ahead.speed_squared.data() + k);
+    const __m256d distance = _mm256_sqrt_pd(_mm256_loadu_pd(times));
     const __m256d c = _mm256_mul_pd(_mm256_sub_pd(distance, one), _mm256_add_pd(distance, one));
-    const __m256d discriminant =
-        _mm256_sub_pd(_mm256_mul_pd(b, b), _mm256_mul_pd(_mm256_loadu_pd(speeds + k), c));
+    const __m256d discriminant = _mm256_sub_pd(_mm256_mul_pd(b, b), _mm256_mul_pd(v2, c));
     const __m256d time =
         _mm256_div_pd(c, _mm256_add_pd(_mm256_xor_pd(b, sign), _mm256_sqrt_pd(discriminant)));
     const __m256d misses = _mm256_cmp_pd(discriminant, zero, _CMP_LT_OQ);
     unsigned over = static_cast<unsigned>(
         _mm256_movemask_pd(_mm256_andnot_pd(misses, _mm256_cmp_pd(c, zero, _CMP_LE_OQ))));
-    if (count - k < 4) over &= (1U << (count - k)) - 1;
+    if (end - k < 4) over &= (1U << (end - k)) - 1;
     overlaps |= over;
-    _mm256_storeu_pd(times + k, _mm256_blendv_pd(time, never, misses));
+    _mm256_storeu_pd(times, _mm256_blendv_pd(time, never, misses));
   }
   ahead.has_overlaps |= overlaps != 0;
-  ahead.count = begin + count;
+}
+
+}  // namespace
+
+ZENOSPHERE_WIDE void find_contacts_wide(const Sphere<3, double>* spheres,
+                                        std::span<const Neighbour> neighbours,
+                                        const Image<3, double>* images,
+                                        const Viewpoint<3, double>& from,
+                                        ContactsAhead<double>& ahead) {
+  ahead.make_room(neighbours.size());
+  const std::size_t begin = ahead.count;
+  ahead.count += add_those_that_may_touch(spheres, neighbours, images, from, ahead);
+  find_when_they_touch(ahead, begin, ahead.count);
 }
 
 #else

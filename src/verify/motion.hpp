@@ -40,8 +40,8 @@ struct Meeting {
 /// How spheres fly and see each other in the box of a case, and how errors grow on the way.
 ///
 /// Everything is in the laboratory: straight (or falling) flights and nearest images. Bounds are to
-/// first order: the storage of a snapshot, the rounding of the engine at each event and cell face,
-/// and that of stored times.
+/// first order: the storage of a snapshot, the rounding of the engine at each event and where a
+/// sphere leaves its layer or the box, and that of stored times.
 template <int Dim>
 class Motion {
  public:
