@@ -28,7 +28,6 @@ struct Anchor {
 /// size of the box.
 class AnchorCells {
  public:
-  ///
   /// Five cells of them are within 16 bits, and so far from the end that free places are out of
   /// reach.
   static constexpr int grains_a_cell = 6000;

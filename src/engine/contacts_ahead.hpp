@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,53 +15,35 @@ struct Viewpoint {
   Real when;  ///< remainder of the clock
 };
 
-/// The contacts that a sphere may have if nobody else meets anyone before: one column for each
-/// quantity, so that several contacts can be found at once.
+/// The contacts that a sphere may have if nobody else meets anyone before.
 template <class Real>
 struct ContactsAhead {
-  std::size_t count = 0;
-  bool has_overlaps = false;          ///< of a pair that approaches: time <= 0
-  std::vector<Real> time;             ///< from now; infinity: they miss
-  std::vector<Real> approach;         ///< dr.dv < 0, diameters^2/time
-  std::vector<Real> speed_squared;    ///< dv.dv; scratch of find_contacts_wide()
-  std::vector<std::int32_t> partner;  ///< a sphere, or a wall
+  struct Ahead {
+    std::int32_t partner;  ///< a sphere, or a wall
+    Real time;             ///< from now; infinity: they miss
+    Real approach;         ///< dr.dv < 0, diameters^2/time
+  };
+  std::vector<Ahead> contacts;
+  bool has_overlaps = false;  ///< of a pair that approaches: time <= 0
 
   void clear() {
-    count = 0;
+    contacts.clear();
     has_overlaps = false;
   }
-
-  /// Makes room for so many more, and for what is written beyond them when several are found at
-  /// once.
-  void make_room(std::size_t more) {
-    constexpr std::size_t lanes = 8;
-    const std::size_t size = count + more + lanes;
-    if (size <= time.size()) return;
-    for (auto* column : {&time, &approach, &speed_squared}) column->resize(2 * size);
-    partner.resize(2 * size);
-  }
-
-  void add(std::int32_t with, const Contact<Real>& contact) {
-    make_room(1);
-    time[count] = contact.time;
-    approach[count] = contact.approach;
-    partner[count] = with;
+  void add(std::int32_t partner, const Contact<Real>& contact) {
+    contacts.push_back({partner, contact.time, contact.approach});
     has_overlaps |= contact.overlapping;
-    ++count;
   }
 };
 
-/// Which two of the contacts come first, by number; -1: none.
-struct FirstTwo {
-  int first = -1;
-  int second = -1;
-  int meetings = 0;  ///< how many do not miss
-};
-
-/// Of equal times the lower partner's comes first, so that the order of neighbours has no effect.
-///
-/// \param now  to which the times are added, and rounded, first
+/// The first two of them, where they are spheres that do not overlap yet.
 template <class Real>
-FirstTwo first_two(const ContactsAhead<Real>& ahead, const Real& now);
+struct FirstContacts {
+  int meetings = 0;  ///< how many do not miss
+  std::int32_t first = -1;
+  std::int32_t second = -1;
+  Real first_time = 0;  ///< remainder of the clock
+  Real second_time = 0;
+};
 
 }  // namespace zenosphere

@@ -57,6 +57,9 @@ class NextMeetings {
   NextMeetings() { second_.set_last(true); }
 
   /// \param is_all  there is no third meeting, and no second if that is with nobody
+  NextMeetings(const Meeting<Real>& first, const Meeting<Real>& second, bool is_all) {
+    set(first, second, is_all);
+  }
   void set(const Meeting<Real>& first, Meeting<Real> second, bool is_all) {
     second.set_last(is_all);
     first_ = first;
@@ -79,6 +82,13 @@ class NextMeetings {
       second_ = meeting;
     }
     second_.set_last(was_all && !has_second);
+  }
+
+  /// Adds meetings of which the first two are known, or all.
+  void add(const NextMeetings& others) {
+    if (others.first_.is_with_anybody()) add(others.first_);
+    if (others.second_.is_with_anybody()) add(others.second_);
+    if (!others.is_all()) second_.set_last(false);
   }
 
   /// Lets the second take the place of the first.

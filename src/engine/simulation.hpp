@@ -164,10 +164,11 @@ class Simulation {
   void predict(std::int32_t i);
   void predict_from_here(std::int32_t i);
   void predict_new(std::int32_t i, std::span<const Neighbour> neighbours);
-  void find_walls(std::int32_t i, ContactsAhead<Real>& ahead) const;
-  bool is_overlap(std::int32_t i, const ContactsAhead<Real>& ahead, int number) const;
-  void apply_overlap_rule(ContactsAhead<Real>& ahead);
-  Meeting<Real> meeting(std::int32_t i, const ContactsAhead<Real>& ahead, int number) const;
+  Meeting<Real> meeting(std::int32_t j, const Real& time) const;
+  NextMeetings<Real> one_by_one(std::int32_t i, std::span<const Neighbour> neighbours);
+  NextMeetings<Real> with_walls(std::int32_t i);
+  NextMeetings<Real> first_ahead(std::int32_t i);
+  void apply_overlap_rule();
   bool is_stale(const Meeting<Real>& meeting) const;
   void go_stale(std::int32_t i);
   void fetch_ahead();

@@ -1,6 +1,7 @@
 // What a simulation foretells: whom a sphere meets next.
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/simulation.hpp"
 #include "model/instantiate.hpp"
@@ -16,73 +17,87 @@ void Simulation<Dim, Real>::predict(std::int32_t i) {
 /// Predicts what comes next for a sphere that is stored as it is now.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::predict_from_here(std::int32_t i) {
-  ContactsAhead<Real>& ahead = ahead_;
-  ahead.clear();
-  spheres_.find_contacts(i, spheres_.neighbours(i), now_.remainder, ahead);
-  if (surroundings_.walls) find_walls(i, ahead);
-  if (ahead.has_overlaps) [[unlikely]]
-    apply_overlap_rule(ahead);
-  const FirstTwo two = spheres_.first_two(ahead, now_.remainder);
-  meetings(i).set(meeting(i, ahead, two.first), meeting(i, ahead, two.second), two.meetings <= 2);
+  const auto neighbours = spheres_.neighbours(i);
+  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder)) {
+    meetings(i).set(meeting(two->first, two->first_time), meeting(two->second, two->second_time),
+                    two->meetings <= 2);
+  } else {
+    meetings(i) = one_by_one(i, neighbours);
+  }
+  if (surroundings_.walls) meetings(i).add(with_walls(i));
   schedule(i);
 }
 
 /// Adds the meetings with new neighbours to those that are known.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::predict_new(std::int32_t i, std::span<const Neighbour> neighbours) {
-  ContactsAhead<Real>& ahead = ahead_;
-  ahead.clear();
-  spheres_.find_contacts(i, neighbours, now_.remainder, ahead);
-  if (ahead.has_overlaps) [[unlikely]]
-    apply_overlap_rule(ahead);
-  for (std::size_t k = 0; k < ahead.count; ++k) {
-    if (!(ahead.time[k] < std::numeric_limits<Real>::infinity())) continue;
-    meetings(i).add(meeting(i, ahead, static_cast<int>(k)));
+  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder)) {
+    meetings(i).add({meeting(two->first, two->first_time), meeting(two->second, two->second_time),
+                     two->meetings <= 2});
+  } else {
+    meetings(i).add(one_by_one(i, neighbours));
   }
   schedule(i);
 }
 
+/// With a sphere that does not overlap, or -1: with nobody.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::find_walls(std::int32_t i, ContactsAhead<Real>& ahead) const {
+Meeting<Real> Simulation<Dim, Real>::meeting(std::int32_t j, const Real& time) const {
+  return j < 0 ? Meeting<Real>() : Meeting<Real>(time, j, spheres_[j].collisions, false);
+}
+
+template <int Dim, class Real>
+NextMeetings<Real> Simulation<Dim, Real>::one_by_one(std::int32_t i,
+                                                     std::span<const Neighbour> neighbours) {
+  ahead_.clear();
+  spheres_.find_contacts(i, neighbours, now_.remainder, ahead_);
+  return first_ahead(i);
+}
+
+template <int Dim, class Real>
+NextMeetings<Real> Simulation<Dim, Real>::with_walls(std::int32_t i) {
+  ahead_.clear();
   const int axis = surroundings_.walls->axis;
   for (const int wall : {0, 1}) {
     const Real outward = wall == 0 ? -1 : 1;
     const Real gap = wall_gap(i, wall, now_.remainder);
     const Real rate = -outward * spheres_[i].velocity[axis];
     const auto time = closing_time<Real>(gap, rate, -outward * surroundings_.acceleration[axis]);
-    if (time) ahead.add(spheres() + wall, {*time, gap < 0 && *time <= 0, rate});
+    if (time) ahead_.add(spheres() + wall, {*time, gap < 0 && *time <= 0, rate});
   }
+  return first_ahead(i);
+}
+
+/// The first of the contacts ahead of i. A sphere that touches another one while they approach
+/// overlaps it; one that stands on a wall does not.
+template <int Dim, class Real>
+NextMeetings<Real> Simulation<Dim, Real>::first_ahead(std::int32_t i) {
+  if (ahead_.has_overlaps) [[unlikely]]
+    apply_overlap_rule();
+  NextMeetings<Real> next;
+  for (const auto& [partner, time, approach] : ahead_.contacts) {
+    const Real then = now_.remainder + time;
+    if (!(then < std::numeric_limits<Real>::infinity())) continue;
+    const auto wall = this->wall(partner);
+    const bool overlaps = time <= 0 && (!wall || wall_gap(i, *wall, now_.remainder) < 0);
+    next.add({then, partner, wall ? 0 : spheres_[partner].collisions, overlaps});
+  }
+  return next;
 }
 
 /// Deals with pairs that overlap by rounding while they approach. Walls let nobody pass.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::apply_overlap_rule(ContactsAhead<Real>& ahead) {
+void Simulation<Dim, Real>::apply_overlap_rule() {
   if (rules_.overlap == OverlapRule::rewind) return;
-  for (std::size_t k = 0; k < ahead.count; ++k) {
-    if (ahead.time[k] > 0) continue;
-    ahead.time[k] = 0;
-    const bool may_pass = rules_.overlap == OverlapRule::guarded && !wall(ahead.partner[k]);
-    if (may_pass && !(ahead.approach[k] < -rules_.guard)) {
+  for (auto& [partner, time, approach] : ahead_.contacts) {
+    if (time > 0) continue;
+    time = 0;
+    const bool may_pass = rules_.overlap == OverlapRule::guarded && !wall(partner);
+    if (may_pass && !(approach < -rules_.guard)) {
       ++overlaps_ignored_;
-      ahead.time[k] = std::numeric_limits<Real>::infinity();
+      time = std::numeric_limits<Real>::infinity();
     }
   }
-}
-
-/// One of the contacts of i as a meeting; number -1: with nobody. A sphere that touches another one
-/// while they approach overlaps it; one that stands on a wall does not.
-template <int Dim, class Real>
-Meeting<Real> Simulation<Dim, Real>::meeting(std::int32_t i, const ContactsAhead<Real>& ahead,
-                                             int number) const {
-  if (number < 0) return {};
-  const auto k = static_cast<std::size_t>(number);
-  const Real time = now_.remainder + ahead.time[k];
-  const std::int32_t partner = ahead.partner[k];
-  const bool is_due = ahead.time[k] <= 0;
-  if (const auto wall = this->wall(partner)) {
-    return {time, partner, 0, is_due && wall_gap(i, *wall, now_.remainder) < 0};
-  }
-  return {time, partner, spheres_[partner].collisions, is_due};
 }
 
 template <int Dim, class Real>

@@ -129,8 +129,9 @@ Vec<Dim, Real> Spheres<Dim, Real>::shortest_image(Vector way, const Real& when) 
   for (int axis = Dim - 1; axis >= 0; --axis) {  // layers first: they decide about the columns
     if (box_.is_closed(axis)) continue;
     const Real& side = box_.sides()[axis];
+    const Real half = side / 2;
+    if (-half < way[axis] && way[axis] < half) continue;
     const Real periods = floor(static_cast<Real>(way[axis] / side + Real(0.5)));
-    if (periods == 0) continue;
     way[axis] -= periods * side;
     if (axis == 1) {
       const Real slide = cells_.whole_slide() * box_.cell_width()[0] + box_.slide_speed() * when;

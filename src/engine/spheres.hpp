@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -87,27 +88,26 @@ class Spheres {
 
   std::span<const Neighbour> neighbours(std::int32_t i) const { return lists_.of(i); }
 
+  /// The first two contacts of i with these neighbours, where they can be found without a look at
+  /// each; otherwise nothing, and find_contacts() tells.
+  std::optional<FirstContacts<Real>> first_contacts(std::int32_t i,
+                                                    std::span<const Neighbour> neighbours,
+                                                    const Real& when) const {
+    if constexpr (Dim == 3 && std::is_same_v<Real, double>) {
+      if (lanes_are_wide_)
+        return first_contacts_wide(spheres_.data(), neighbours, images_.data(), viewpoint(i, when));
+    }
+    return std::nullopt;
+  }
+
   /// Adds the contacts of i with these neighbours, counted from `when`.
   void find_contacts(std::int32_t i, std::span<const Neighbour> neighbours, const Real& when,
                      ContactsAhead<Real>& ahead) const {
     const Viewpoint<Dim, Real> here = viewpoint(i, when);
-    if constexpr (Dim == 3 && std::is_same_v<Real, double>) {
-      if (lanes_are_wide_) {
-        find_contacts_wide(spheres_.data(), neighbours, images_.data(), here, ahead);
-        return;
-      }
-    }
     for (const Neighbour neighbour : neighbours) {
       const auto contact = zenosphere::contact(motion_from(here, neighbour));
       if (contact) ahead.add(neighbour.sphere(), *contact);
     }
-  }
-
-  FirstTwo first_two(ContactsAhead<Real>& ahead, const Real& now) const {
-    if constexpr (std::is_same_v<Real, double>) {
-      if (lanes_are_wide_) return first_two_wide(ahead, now);
-    }
-    return zenosphere::first_two(ahead, now);
   }
 
   /// Fetches what will be read of a sphere.

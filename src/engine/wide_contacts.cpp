@@ -1,6 +1,8 @@
 #include "engine/wide_contacts.hpp"
 
+#include <array>
 #include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "engine/wide_lanes.hpp"
@@ -11,36 +13,7 @@ namespace zenosphere {
 
 namespace {
 
-/// For each set of four lanes the numbers of those in it, first to last: of doubles as pairs of
-/// halves, and of 32-bit numbers.
-struct Compressions {
-  alignas(32) std::int32_t doubles[16][8];
-  alignas(16) std::int32_t numbers[16][4];
-
-  constexpr Compressions() : doubles(), numbers() {
-    for (int set = 0; set < 16; ++set) {
-      int kept = 0;
-      for (int lane = 0; lane < 4; ++lane) {
-        if ((set >> lane & 1) == 0) continue;
-        doubles[set][2 * kept] = 2 * lane;
-        doubles[set][2 * kept + 1] = 2 * lane + 1;
-        numbers[set][kept++] = lane;
-      }
-    }
-  }
-};
-constexpr Compressions compressions;
-
-ZENOSPHERE_WIDE inline __m256d compressed(__m256d lanes, unsigned set) {
-  const __m256i order =
-      _mm256_load_si256(reinterpret_cast<const __m256i*>(compressions.doubles[set]));
-  return _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(lanes), order));
-}
-
-ZENOSPHERE_WIDE inline __m128i compressed(__m128i lanes, unsigned set) {
-  const __m128i order = _mm_load_si128(reinterpret_cast<const __m128i*>(compressions.numbers[set]));
-  return _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(lanes), order));
-}
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The same numbers of four things, side by side.
 struct Columns {
@@ -74,153 +47,201 @@ ZENOSPHERE_WIDE inline __m256d least_of_all(__m256d lanes) {
   return _mm256_min_pd(lanes, _mm256_permute_pd(lanes, 0b0101));
 }
 
-}  // namespace
+/// dr.dv, dv.dv and dr.dr of four neighbours.
+struct Approaches {
+  __m256d b, v2, r2;
+};
 
-ZENOSPHERE_WIDE FirstTwo first_two_wide(ContactsAhead<double>& ahead, double now) {
-  const __m256d never = _mm256_set1_pd(std::numeric_limits<double>::infinity());
-  double* const times = ahead.time.data();
-  const std::size_t count = ahead.count;
-  FirstTwo two;
-  if (count == 0) return two;
-  if (count > 60) return first_two(ahead, now);
-  _mm256_storeu_pd(times + count, never);
-  const __m256d here = _mm256_set1_pd(now);
-  __m256d least = never;  // as the second operand of min: a time that is no number does not count
-  for (std::size_t k = 0; k < count; k += 4)
-    least = _mm256_min_pd(_mm256_add_pd(here, _mm256_loadu_pd(times + k)), least);
-  least = least_of_all(least);
-  std::uint64_t at = 0;
-  __m256d next = never;
-  for (std::size_t k = 0; k < count; k += 4) {
-    const __m256d t = _mm256_add_pd(here, _mm256_loadu_pd(times + k));
-    const __m256d is_least = _mm256_cmp_pd(t, least, _CMP_EQ_OQ);
-    at |= static_cast<std::uint64_t>(_mm256_movemask_pd(is_least)) << k;
-    two.meetings += __builtin_popcount(
-        static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(t, never, _CMP_LT_OQ))));
-    next = _mm256_min_pd(_mm256_blendv_pd(t, never, is_least), next);
+ZENOSPHERE_WIDE inline Approaches approaches(const Sphere<3, double>* spheres,
+                                             const Neighbour* neighbours,
+                                             const Image<3, double>* images,
+                                             const Viewpoint<3, double>& from) {
+  const auto sphere = [&](std::size_t lane) {
+    return reinterpret_cast<const double*>(spheres + neighbours[lane].sphere());
+  };
+  const auto image = [&](std::size_t lane) {
+    return reinterpret_cast<const double*>(images + neighbours[lane].way().code());
+  };
+  const auto [x, y, z, vx] = columns(sphere(0), sphere(1), sphere(2), sphere(3));
+  const auto [vy, vz, time, rest] =
+      columns(sphere(0) + 4, sphere(1) + 4, sphere(2) + 4, sphere(3) + 4);
+  const auto [sx, sy, sz, slide] = columns(image(0), image(1), image(2), image(3));
+  const __m256d when = _mm256_set1_pd(from.when);
+  const __m256d flight = _mm256_sub_pd(when, time);
+  const __m256d dx = _mm256_add_pd(apart(x, vx, flight, from.position[0]),
+                                   _mm256_add_pd(sx, _mm256_mul_pd(slide, when)));
+  const __m256d dy = _mm256_add_pd(apart(y, vy, flight, from.position[1]), sy);
+  const __m256d dz = _mm256_add_pd(apart(z, vz, flight, from.position[2]), sz);
+  const __m256d du = _mm256_add_pd(_mm256_sub_pd(vx, _mm256_set1_pd(from.velocity[0])), slide);
+  const __m256d dv = _mm256_sub_pd(vy, _mm256_set1_pd(from.velocity[1]));
+  const __m256d dw = _mm256_sub_pd(vz, _mm256_set1_pd(from.velocity[2]));
+  return {dot(dx, dy, dz, du, dv, dw), dot(du, dv, dw, du, dv, dw), dot(dx, dy, dz, dx, dy, dz)};
+}
+
+/// What may_touch() says of four: all bits of a lane, or none.
+ZENOSPHERE_WIDE inline __m256d may_touch(const Approaches& four) {
+  const auto& [b, v2, r2] = four;
+  const __m256d limit = _mm256_set1_pd(1 + approach_margin);
+  return _mm256_and_pd(
+      _mm256_cmp_pd(b, _mm256_setzero_pd(), _CMP_LT_OQ),
+      _mm256_cmp_pd(_mm256_mul_pd(b, b), _mm256_mul_pd(v2, _mm256_sub_pd(r2, limit)), _CMP_GE_OQ));
+}
+
+/// When contact() lets four touch, of which it is known that they may; infinity: they miss.
+ZENOSPHERE_WIDE inline __m256d contact_times(const Approaches& four) {
+  const auto& [b, v2, r2] = four;
+  const __m256d one = _mm256_set1_pd(1);
+  const __m256d distance = _mm256_sqrt_pd(r2);
+  const __m256d c = _mm256_mul_pd(_mm256_sub_pd(distance, one), _mm256_add_pd(distance, one));
+  const __m256d discriminant = _mm256_sub_pd(_mm256_mul_pd(b, b), _mm256_mul_pd(v2, c));
+  const __m256d time = _mm256_div_pd(
+      c, _mm256_add_pd(_mm256_xor_pd(b, _mm256_set1_pd(-0.0)), _mm256_sqrt_pd(discriminant)));
+  const __m256d misses = _mm256_cmp_pd(discriminant, _mm256_setzero_pd(), _CMP_LT_OQ);
+  return _mm256_blendv_pd(time, _mm256_set1_pd(never), misses);
+}
+
+/// The approaches of up to `most` neighbours, by their numbers.
+class NumberedApproaches {
+ public:
+  static constexpr std::size_t most = 60;
+
+  ZENOSPHERE_WIDE void put(std::size_t number, const Approaches& four) {
+    _mm256_store_pd(b_ + number, four.b);
+    _mm256_store_pd(v2_ + number, four.v2);
+    _mm256_store_pd(r2_ + number, four.r2);
   }
-  if (two.meetings == 0) return two;
-  if ((at & (at - 1)) != 0) [[unlikely]]
-    return first_two(ahead, now);
-  two.first = std::countr_zero(at);
-  if (two.meetings == 1) return two;
-  next = least_of_all(next);
-  std::uint64_t after = 0;
-  for (std::size_t k = 0; k < count; k += 4) {
-    after |= static_cast<std::uint64_t>(_mm256_movemask_pd(
-                 _mm256_cmp_pd(_mm256_add_pd(here, _mm256_loadu_pd(times + k)), next, _CMP_EQ_OQ)))
-             << k;
+  ZENOSPHERE_WIDE Approaches of(const std::array<std::size_t, 4>& numbers) const {
+    const auto [i, j, k, l] = numbers;
+    return {_mm256_set_pd(b_[l], b_[k], b_[j], b_[i]),
+            _mm256_set_pd(v2_[l], v2_[k], v2_[j], v2_[i]),
+            _mm256_set_pd(r2_[l], r2_[k], r2_[j], r2_[i])};
   }
-  if ((after & (after - 1)) != 0) [[unlikely]]
-    return first_two(ahead, now);
-  two.second = std::countr_zero(after);
+
+  /// Stands for nobody: two that rest apart never touch.
+  static constexpr int nobody = 63;
+  void put_nobody() {
+    b_[nobody] = v2_[nobody] = 0;
+    r2_[nobody] = 4;
+  }
+
+ private:
+  alignas(32) double b_[64];
+  alignas(32) double v2_[64];
+  alignas(32) double r2_[64];
+};
+
+/// The first two in each lane, and the numbers they go by.
+struct FirstTwoInLanes {
+  __m256d first, second;        ///< times
+  __m256d first_is, second_is;  ///< integers
+  __m256d ties;                 ///< not zero where two had one time
+
+  ZENOSPHERE_WIDE FirstTwoInLanes()
+      : first(_mm256_set1_pd(never)),
+        second(first),
+        first_is(_mm256_setzero_pd()),
+        second_is(first_is),
+        ties(first_is) {}
+
+  ZENOSPHERE_WIDE void add(__m256d time, __m256d number) {
+    ties = _mm256_or_pd(ties, _mm256_and_pd(_mm256_cmp_pd(time, _mm256_set1_pd(never), _CMP_LT_OQ),
+                                            _mm256_or_pd(_mm256_cmp_pd(time, first, _CMP_EQ_OQ),
+                                                         _mm256_cmp_pd(time, second, _CMP_EQ_OQ))));
+    const __m256d is_first = _mm256_cmp_pd(time, first, _CMP_LT_OQ);
+    const __m256d later = _mm256_blendv_pd(time, first, is_first);
+    const __m256d later_is = _mm256_blendv_pd(number, first_is, is_first);
+    first = _mm256_blendv_pd(first, time, is_first);
+    first_is = _mm256_blendv_pd(first_is, number, is_first);
+    const __m256d is_second = _mm256_cmp_pd(later, second, _CMP_LT_OQ);
+    second = _mm256_blendv_pd(second, later, is_second);
+    second_is = _mm256_blendv_pd(second_is, later_is, is_second);
+  }
+};
+
+/// The one number of those in four lanes at which a bit is set.
+ZENOSPHERE_WIDE inline std::size_t number_at(__m256d numbers, unsigned bit) {
+  alignas(32) std::int64_t four[4];
+  _mm256_store_si256(reinterpret_cast<__m256i*>(four), _mm256_castpd_si256(numbers));
+  return static_cast<std::size_t>(four[std::countr_zero(bit)]);
+}
+
+ZENOSPHERE_WIDE inline unsigned bits(__m256d lanes) {
+  return static_cast<unsigned>(_mm256_movemask_pd(lanes));
+}
+
+/// The first two of all lanes; or nothing where equal times do not tell which they are.
+ZENOSPHERE_WIDE inline std::optional<FirstContacts<double>> first_of_all(
+    const FirstTwoInLanes& lanes, int meetings, std::span<const Neighbour> neighbours) {
+  FirstContacts<double> two;
+  two.meetings = meetings;
+  if (meetings == 0) return two;
+  const __m256d first = least_of_all(lanes.first);
+  const __m256d is_first = _mm256_cmp_pd(lanes.first, first, _CMP_EQ_OQ);
+  two.first_time = _mm256_cvtsd_f64(first);
+  two.first = neighbours[number_at(lanes.first_is, bits(is_first))].sphere();
+  if (meetings == 1) return two;
+  const __m256d rest = _mm256_blendv_pd(lanes.first, lanes.second, is_first);
+  const __m256d rest_is = _mm256_blendv_pd(lanes.first_is, lanes.second_is, is_first);
+  const __m256d second = least_of_all(rest);
+  const unsigned is_second = bits(_mm256_cmp_pd(rest, second, _CMP_EQ_OQ));
+  two.second_time = _mm256_cvtsd_f64(second);
+  two.second = neighbours[number_at(rest_is, is_second)].sphere();
+  const bool is_tied = bits(lanes.ties) != 0 || !std::has_single_bit(bits(is_first)) ||
+                       !std::has_single_bit(is_second);
+  if (is_tied) [[unlikely]]
+    return std::nullopt;
   return two;
 }
 
-namespace {
-
-/// Those that may touch, as may_touch() says of each, behind the contacts already found; with
-/// dr.dr where their times will be.
-/// @return how many.
-ZENOSPHERE_WIDE inline std::size_t add_those_that_may_touch(const Sphere<3, double>* spheres,
-                                                            std::span<const Neighbour> neighbours,
-                                                            const Image<3, double>* images,
-                                                            const Viewpoint<3, double>& from,
-                                                            ContactsAhead<double>& ahead) {
-  constexpr std::uint32_t numbers = Neighbour::sphere_mask;
-  const __m256d when = _mm256_set1_pd(from.when);
-  const __m256d limit = _mm256_set1_pd(1 + approach_margin);
-  const __m256d zero = _mm256_setzero_pd();
-  std::size_t end = ahead.count;
-  const auto size = static_cast<std::ptrdiff_t>(neighbours.size());
-  const auto* const packed = reinterpret_cast<const std::uint32_t*>(neighbours.data());
-  for (std::ptrdiff_t first = 0; first < size; first += 4) {
-    const std::uint32_t* const some = packed + first;
-    const auto sphere = [&](std::size_t lane) {
-      return reinterpret_cast<const double*>(spheres + (some[lane] & numbers));
-    };
-    const auto image = [&](std::size_t lane) {
-      return reinterpret_cast<const double*>(images + (some[lane] >> Neighbour::sphere_bits));
-    };
-    const auto [x, y, z, vx] = columns(sphere(0), sphere(1), sphere(2), sphere(3));
-    const auto [vy, vz, time, rest] =
-        columns(sphere(0) + 4, sphere(1) + 4, sphere(2) + 4, sphere(3) + 4);
-    const auto [sx, sy, sz, slide] = columns(image(0), image(1), image(2), image(3));
-    const __m256d flight = _mm256_sub_pd(when, time);
-    const __m256d dx = _mm256_add_pd(apart(x, vx, flight, from.position[0]),
-                                     _mm256_add_pd(sx, _mm256_mul_pd(slide, when)));
-    const __m256d dy = _mm256_add_pd(apart(y, vy, flight, from.position[1]), sy);
-    const __m256d dz = _mm256_add_pd(apart(z, vz, flight, from.position[2]), sz);
-    const __m256d du = _mm256_add_pd(_mm256_sub_pd(vx, _mm256_set1_pd(from.velocity[0])), slide);
-    const __m256d dv = _mm256_sub_pd(vy, _mm256_set1_pd(from.velocity[1]));
-    const __m256d dw = _mm256_sub_pd(vz, _mm256_set1_pd(from.velocity[2]));
-    const __m256d b = dot(dx, dy, dz, du, dv, dw);
-    const __m256d v2 = dot(du, dv, dw, du, dv, dw);
-    const __m256d r2 = dot(dx, dy, dz, dx, dy, dz);
-    const __m256d touch =
-        _mm256_and_pd(_mm256_cmp_pd(b, zero, _CMP_LT_OQ),
-                      _mm256_cmp_pd(_mm256_mul_pd(b, b),
-                                    _mm256_mul_pd(v2, _mm256_sub_pd(r2, limit)), _CMP_GE_OQ));
-    unsigned set = static_cast<unsigned>(_mm256_movemask_pd(touch));
-    if (size - first < 4) set &= (1U << (size - first)) - 1;
-    const __m128i partners = _mm_and_si128(_mm_loadu_si128(reinterpret_cast<const __m128i*>(some)),
-                                           _mm_set1_epi32(static_cast<int>(numbers)));
-    _mm256_storeu_pd(ahead.approach.data() + end, compressed(b, set));
-    _mm256_storeu_pd(ahead.speed_squared.data() + end, compressed(v2, set));
-    _mm256_storeu_pd(ahead.time.data() + end, compressed(r2, set));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(ahead.partner.data() + end),
-                     compressed(partners, set));
-    end += static_cast<std::size_t>(__builtin_popcount(set));
-  }
-  return end - ahead.count;
-}
-
-/// When the contacts from `begin` up to `end` come, as contact() says of each, in place of dr.dr.
-ZENOSPHERE_WIDE inline void find_when_they_touch(ContactsAhead<double>& ahead, std::size_t begin,
-                                                 std::size_t end) {
-  const __m256d zero = _mm256_setzero_pd();
-  const __m256d one = _mm256_set1_pd(1);
-  const __m256d never = _mm256_set1_pd(std::numeric_limits<double>::infinity());
-  const __m256d sign = _mm256_set1_pd(-0.0);
-  unsigned overlaps = 0;
-  for (std::size_t k = begin; k < end; k += 4) {
-    double* const times = ahead.time.data() + k;
-    const __m256d b = _mm256_loadu_pd(ahead.approach.data() + k);
-    const __m256d v2 = _mm256_loadu_pd(ahead.speed_squared.data() + k);
-    const __m256d distance = _mm256_sqrt_pd(_mm256_loadu_pd(times));
-    const __m256d c = _mm256_mul_pd(_mm256_sub_pd(distance, one), _mm256_add_pd(distance, one));
-    const __m256d discriminant = _mm256_sub_pd(_mm256_mul_pd(b, b), _mm256_mul_pd(v2, c));
-    const __m256d time =
-        _mm256_div_pd(c, _mm256_add_pd(_mm256_xor_pd(b, sign), _mm256_sqrt_pd(discriminant)));
-    const __m256d misses = _mm256_cmp_pd(discriminant, zero, _CMP_LT_OQ);
-    unsigned over = static_cast<unsigned>(
-        _mm256_movemask_pd(_mm256_andnot_pd(misses, _mm256_cmp_pd(c, zero, _CMP_LE_OQ))));
-    if (end - k < 4) over &= (1U << (end - k)) - 1;
-    overlaps |= over;
-    _mm256_storeu_pd(times, _mm256_blendv_pd(time, never, misses));
-  }
-  ahead.has_overlaps |= overlaps != 0;
-}
-
 }  // namespace
 
-ZENOSPHERE_WIDE void find_contacts_wide(const Sphere<3, double>* spheres,
-                                        std::span<const Neighbour> neighbours,
-                                        const Image<3, double>* images,
-                                        const Viewpoint<3, double>& from,
-                                        ContactsAhead<double>& ahead) {
-  ahead.make_room(neighbours.size());
-  const std::size_t begin = ahead.count;
-  ahead.count += add_those_that_may_touch(spheres, neighbours, images, from, ahead);
-  find_when_they_touch(ahead, begin, ahead.count);
+ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts_wide(
+    const Sphere<3, double>* spheres, std::span<const Neighbour> neighbours,
+    const Image<3, double>* images, const Viewpoint<3, double>& from) {
+  const std::size_t size = neighbours.size();
+  if (size > NumberedApproaches::most) return std::nullopt;
+  NumberedApproaches approaches;
+  std::uint64_t candidates = 0;
+  for (std::size_t k = 0; k < size; k += 4) {
+    const Approaches four = zenosphere::approaches(spheres, neighbours.data() + k, images, from);
+    approaches.put(k, four);
+    candidates |= static_cast<std::uint64_t>(bits(may_touch(four))) << k;
+  }
+  candidates &= (std::uint64_t{1} << size) - 1;
+  approaches.put_nobody();
+  const __m256d when = _mm256_set1_pd(from.when);
+  FirstTwoInLanes lanes;
+  __m256d overlaps = _mm256_setzero_pd();
+  int meetings = 0;
+  while (candidates != 0) {
+    std::array<std::size_t, 4> numbers;
+    for (std::size_t& number : numbers) {
+      constexpr std::uint64_t nobody = std::uint64_t{1} << NumberedApproaches::nobody;
+      number = static_cast<std::size_t>(std::countr_zero(candidates | nobody));
+      candidates &= candidates - 1;
+    }
+    const __m256d time = contact_times(approaches.of(numbers));
+    overlaps = _mm256_or_pd(overlaps, _mm256_cmp_pd(time, _mm256_setzero_pd(), _CMP_NGT_UQ));
+    const __m256d then = _mm256_add_pd(when, time);
+    meetings += std::popcount(bits(_mm256_cmp_pd(then, _mm256_set1_pd(never), _CMP_LT_OQ)));
+    const auto [i, j, k, l] = numbers;
+    lanes.add(then, _mm256_castsi256_pd(_mm256_set_epi64x(
+                        static_cast<std::int64_t>(l), static_cast<std::int64_t>(k),
+                        static_cast<std::int64_t>(j), static_cast<std::int64_t>(i))));
+  }
+  if (bits(overlaps) != 0) [[unlikely]]
+    return std::nullopt;
+  return first_of_all(lanes, meetings, neighbours);
 }
 
 #else
 
-void find_contacts_wide(const Sphere<3, double>*, std::span<const Neighbour>,
-                        const Image<3, double>*, const Viewpoint<3, double>&,
-                        ContactsAhead<double>&) {}
-FirstTwo first_two_wide(ContactsAhead<double>& ahead, double now) { return first_two(ahead, now); }
+std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<3, double>*,
+                                                         std::span<const Neighbour>,
+                                                         const Image<3, double>*,
+                                                         const Viewpoint<3, double>&) {
+  return std::nullopt;
+}
 
 #endif
 

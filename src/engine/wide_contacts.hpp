@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "engine/contacts_ahead.hpp"
@@ -9,16 +10,15 @@
 
 namespace zenosphere {
 
-/// Adds the contacts with neighbours, four at a time, each with the very operations that contact()
-/// does for one. Only where has_wide_lanes().
+/// The first two contacts with neighbours, found four at a time, each with the very operations that
+/// contact() does for one. Only where has_wide_lanes().
 ///
 /// \param neighbours  three more, of any spheres, have to follow the last
 /// \param images      of each Way, at remainder 0
-void find_contacts_wide(const Sphere<3, double>* spheres, std::span<const Neighbour> neighbours,
-                        const Image<3, double>* images, const Viewpoint<3, double>& viewpoint,
-                        ContactsAhead<double>& ahead);
-
-/// What first_two() finds, four at a time. Only where has_wide_lanes().
-FirstTwo first_two_wide(ContactsAhead<double>& ahead, double now);
+/// \return nothing where it takes a look at each one: of overlaps, equal times, long lists
+std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<3, double>* spheres,
+                                                         std::span<const Neighbour> neighbours,
+                                                         const Image<3, double>* images,
+                                                         const Viewpoint<3, double>& viewpoint);
 
 }  // namespace zenosphere

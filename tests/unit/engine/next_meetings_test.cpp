@@ -59,9 +59,31 @@ TEST(NextMeetings, AreAllAsLongAsNoneWasLeftOut) {
   EXPECT_TRUE(next.is_all());
 }
 
+TEST(NextMeetings, AddedToOthersAreAsIfAddedOneByOne) {
+  constexpr int most = 3;
+  for (int mine = 0; mine <= most; ++mine) {
+    for (int theirs = 0; theirs <= most; ++theirs) {
+      for (const bool first_is_known_alone : {false, true}) {
+        NextMeetings<double> one_by_one;
+        for (int k = 0; k < mine; ++k) one_by_one.add(at(2 + 2 * k, 2 * k));
+        if (first_is_known_alone) one_by_one.drop_first();
+        NextMeetings<double> at_once = one_by_one;
+        NextMeetings<double> others;
+        for (int k = 0; k < theirs; ++k) {
+          one_by_one.add(at(3 + 2 * k, 2 * k + 1));
+          others.add(at(3 + 2 * k, 2 * k + 1));
+        }
+        at_once.add(others);
+        EXPECT_EQ(at_once.first().partner(), one_by_one.first().partner());
+        EXPECT_EQ(at_once.second().partner(), one_by_one.second().partner());
+        EXPECT_EQ(at_once.is_all(), one_by_one.is_all());
+      }
+    }
+  }
+}
+
 TEST(NextMeetings, TakeNoSecondWhereAThirdMayComeBeforeIt) {
-  NextMeetings<double> next;
-  next.set(at(1, 4), at(2, 5), false);
+  NextMeetings<double> next(at(1, 4), at(2, 5), false);
   next.drop_first();  // the third, which is not known, comes now
   next.add(at(9, 6));
   EXPECT_EQ(next.first().partner(), 5);
@@ -73,8 +95,7 @@ TEST(NextMeetings, TakeNoSecondWhereAThirdMayComeBeforeIt) {
 }
 
 TEST(NextMeetings, GoThroughAnArchive) {
-  NextMeetings<double> next;
-  next.set({1, 4, 2, true}, at(2, 5), true);
+  const NextMeetings<double> next({1, 4, 2, true}, at(2, 5), true);
   ArchiveWriter writer;
   writer(next);
   ArchiveReader reader(writer.bytes());

@@ -4,16 +4,16 @@
 
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "engine/next_meetings.hpp"
 #include "engine/wide_lanes.hpp"
 #include "support/gas.hpp"
 
 namespace zenosphere {
 namespace {
-
-using Ahead = ContactsAhead<double>;
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// Same bits: -0 differs from 0.
 bool are_same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
@@ -26,7 +26,7 @@ class WideContacts : public ::testing::Test {
       image = {{{dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)}},
                dice.between(-1, 1)};
     }
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 40; ++i) {
       Sphere<3, double> sphere{};
       for (int axis = 0; axis < 3; ++axis) {
         sphere.position[axis] = dice.between(-1.5, 1.5);
@@ -35,6 +35,22 @@ class WideContacts : public ::testing::Test {
       sphere.time = dice.between(0, 1);
       spheres.push_back(sphere);
     }
+    for (int i = 0; i < 20; ++i) spheres.push_back(spheres[static_cast<std::size_t>(3 + i)]);
+  }
+
+  /// Of any spheres, some of which have the very same motion; with three to spare.
+  std::vector<Neighbour> some_neighbours(int count) {
+    const int ways = dice.below(2) == 0 ? 1 : Way::count;
+    std::vector<Neighbour> neighbours;
+    for (int k = 0; k < count + 3; ++k) {
+      neighbours.emplace_back(dice.below(60), Way::from_code(dice.below(ways)));
+    }
+    return neighbours;
+  }
+
+  std::optional<FirstContacts<double>> found(const std::vector<Neighbour>& neighbours) const {
+    return first_contacts_wide(spheres.data(), std::span(neighbours).first(neighbours.size() - 3),
+                               images.data(), here);
   }
 
   /// What contact() says of a neighbour.
@@ -56,76 +72,57 @@ class WideContacts : public ::testing::Test {
 };
 
 TEST_F(WideContacts, AreThoseOfOneByOneBitForBit) {
-  int contacts = 0;
-  for (int n = 0; n < 2000; ++n) {
-    std::vector<Neighbour> neighbours;
-    const int count = dice.below(23);
-    for (int k = 0; k < count + 3; ++k) {
-      neighbours.emplace_back(dice.below(60), Way::from_code(dice.below(Way::count)));
-    }
-    Ahead ahead;
-    find_contacts_wide(spheres.data(), std::span(neighbours).first(static_cast<std::size_t>(count)),
-                       images.data(), here, ahead);
-    std::size_t at = 0;
-    bool overlaps = false;
-    for (int k = 0; k < count; ++k) {
-      const Neighbour neighbour = neighbours[static_cast<std::size_t>(k)];
+  int answers = 0;
+  int overlaps = 0;
+  int left_open = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const std::vector<Neighbour> neighbours = some_neighbours(dice.below(23));
+    NextMeetings<double> expected;
+    int meetings = 0;
+    bool overlapping = false;
+    for (const Neighbour neighbour : std::span(neighbours).first(neighbours.size() - 3)) {
       const auto contact = contact_with(neighbour);
-      // One that the first test lets pass and the second does not is there, and never comes.
-      while (at < ahead.count && ahead.time[at] == kNever) ++at;
       if (!contact) continue;
-      ++contacts;
-      overlaps |= contact->overlapping;
-      ASSERT_LT(at, ahead.count);
-      ASSERT_EQ(ahead.partner[at], neighbour.sphere());
-      ASSERT_TRUE(are_same(ahead.time[at], contact->time));
-      ASSERT_TRUE(are_same(ahead.approach[at], contact->approach));
-      ASSERT_EQ(ahead.time[at] <= 0, contact->overlapping);
-      ++at;
+      ++meetings;
+      overlapping |= contact->overlapping;
+      expected.add({here.when + contact->time, neighbour.sphere(), 0, false});
     }
-    while (at < ahead.count && ahead.time[at] == kNever) ++at;
-    ASSERT_EQ(at, ahead.count);
-    ASSERT_EQ(ahead.has_overlaps, overlaps);
+    const auto two = found(neighbours);
+    overlaps += overlapping ? 1 : 0;
+    ASSERT_FALSE(overlapping && two);
+    left_open += !overlapping && !two ? 1 : 0;
+    if (!two) continue;
+    ++answers;
+    ASSERT_EQ(two->meetings, meetings);
+    ASSERT_EQ(two->first, expected.first().partner());
+    ASSERT_EQ(two->second, expected.second().partner());
+    ASSERT_TRUE(meetings < 1 || are_same(two->first_time, expected.first().time));
+    ASSERT_TRUE(meetings < 2 || are_same(two->second_time, expected.second().time));
   }
-  EXPECT_GT(contacts, 1000);
+  EXPECT_GT(answers, 5000);
+  EXPECT_GT(overlaps, 1000);
+  EXPECT_GT(left_open, 50);  // by equal times
 }
 
-TEST_F(WideContacts, FirstTwoAreThoseOfOneByOneAlsoAtEqualTimes) {
-  for (int n = 0; n < 5000; ++n) {
-    Ahead ahead;
-    const int count = dice.below(14);
-    for (int k = 0; k < count; ++k) {
-      const double time = dice.below(6) == 0 ? kNever : 0.25 * dice.below(8) - 0.25;
-      ahead.add(100 * dice.below(5) + k, {time, time <= 0, -1});
-    }
-    const double now = dice.between(0, 1);
-    for (std::size_t k = 0; n % 3 == 0 && k < ahead.count; ++k) {
-      // As where speeds are beyond all numbers.
-      if (dice.below(4) == 0) ahead.time[k] = std::numeric_limits<double>::quiet_NaN();
-    }
-    const FirstTwo expected = first_two(ahead, now);
-    const FirstTwo found = first_two_wide(ahead, now);
-    ASSERT_EQ(found.first, expected.first);
-    ASSERT_EQ(found.second, expected.second);
-    ASSERT_EQ(found.meetings, expected.meetings);
-  }
+TEST_F(WideContacts, LeaveLongListsAlone) {
+  for (auto& sphere : spheres) sphere.position += Vec<3, double>{{5, 5, 5}};  // nobody overlaps
+  EXPECT_TRUE(found(some_neighbours(60)));
+  EXPECT_FALSE(found(some_neighbours(61)));
 }
 
-TEST(FirstTwo, OfEqualTimesTheLowerPartnersComesFirst) {
-  Ahead ahead;
-  for (const int partner : {7, 3, 9, 5}) ahead.add(partner, {1, false, -1});
-  ahead.add(1, {kNever, false, -1});
-  const FirstTwo two = first_two(ahead, 0.5);
-  EXPECT_EQ(two.first, 1);
-  EXPECT_EQ(two.second, 3);
-  EXPECT_EQ(two.meetings, 4);
+TEST_F(WideContacts, OfNobodyAreNone) {
+  const auto two = found(some_neighbours(0));
+  ASSERT_TRUE(two);
+  EXPECT_EQ(two->meetings, 0);
+  EXPECT_EQ(two->first, -1);
+  EXPECT_EQ(two->second, -1);
 }
 
-TEST(FirstTwo, OfNobodyAreNone) {
-  const FirstTwo two = first_two(Ahead{}, 0.0);
-  EXPECT_EQ(two.first, -1);
-  EXPECT_EQ(two.second, -1);
-  EXPECT_EQ(two.meetings, 0);
+TEST_F(WideContacts, LeaveAloneWhatIsNoNumber) {
+  const auto neighbours = some_neighbours(20);
+  here.position[0] = std::numeric_limits<double>::quiet_NaN();
+  const auto nowhere = found(neighbours);
+  EXPECT_TRUE(!nowhere || nowhere->meetings == 0);
 }
 
 }  // namespace
