@@ -34,9 +34,15 @@ class Calendar {
   /// Time of the event of sphere `id`; infinity if it has none.
   const Real& time(std::int32_t id) const { return event(id).time; }
 
-  /// A sphere with an event `bins` bins ahead, as far as is known now, or kNone.
-  std::int32_t soon(std::int32_t bins) const {
-    return heads_[static_cast<std::size_t>(std::min(current_ + bins, bins_ - 1))];
+  /// The bin whose events come now.
+  std::int32_t current_bin() const { return current_; }
+
+  /// One of the spheres with events in a later bin, as far as is known now, or kNone.
+  std::int32_t in_bin(std::int32_t bin, int number) const {
+    if (bin >= bins_) return kNone;
+    std::int32_t id = heads_[static_cast<std::size_t>(bin)];
+    for (; number > 0 && id != kNone; --number) id = event(id).next;
+    return id;
   }
 
   /// Fetches the event of sphere `id` into the cache.

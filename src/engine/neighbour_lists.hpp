@@ -77,6 +77,7 @@ class NeighbourLists {
 
   /// Fetches the list of i into the cache.
   void prefetch(std::int32_t i) const {
+    __builtin_prefetch(&counts_[static_cast<std::size_t>(i)]);
     const auto* const list = reinterpret_cast<const char*>(entries_.data() + at(i));
     __builtin_prefetch(list);
     __builtin_prefetch(list + room_ * sizeof(Neighbour) - 1);

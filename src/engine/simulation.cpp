@@ -203,31 +203,43 @@ void Simulation<Dim, Real>::rebase(const Real& next_event, const Instant<Real>& 
   calendar_.set_back(span);
 }
 
-/// Fetches what the next events need into the cache, in steps: what is found there tells what to
-/// fetch next. Events come at about one a bin.
+/// Fetches what the next events need into the cache, in steps of some bins: what has been fetched
+/// tells what to fetch next.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::fetch_ahead() {
-  constexpr std::int32_t far = 24;
-  constexpr std::int32_t middle = 14;
-  constexpr std::int32_t near = 7;
+  constexpr std::int32_t bins_a_step = 4;
+  constexpr int most = 3;  // of one bin; few hold more
   const auto fetch = [this](std::int32_t i) {
     spheres_.prefetch(i);
     calendar_.prefetch(i);
     __builtin_prefetch(&meetings(i));
   };
-  if (const std::int32_t i = calendar_.soon(far); i >= 0) fetch(i);
-  if (const std::int32_t i = calendar_.soon(middle); i >= 0) {
-    spheres_.prefetch_neighbours(i);
-    const bool settles = calendar_.time(i) < meetings(i).first().time;
-    if (settles) {
-      spheres_.prefetch_cells(i);
-    } else if (!wall(meetings(i).first().partner())) {
-      fetch(meetings(i).first().partner());
+  fetched_bin_ =
+      std::clamp(fetched_bin_, calendar_.current_bin() - 2 * bins_a_step, calendar_.current_bin());
+  for (; fetched_bin_ < calendar_.current_bin(); ++fetched_bin_) {
+    const auto in_bin = [this](int steps, int number) {
+      return calendar_.in_bin(fetched_bin_ + 1 + steps * bins_a_step, number);
+    };
+    for (int k = 0; k < most; ++k) {  // in a bin one leads to the next
+      if (const std::int32_t i = in_bin(2 + most - k, k); i >= 0) fetch(i);
     }
-  }
-  if (const std::int32_t i = calendar_.soon(near); i >= 0) {
-    const std::int32_t partner = meetings(i).first().partner();
-    if (partner >= 0 && !wall(partner)) spheres_.prefetch_neighbours(partner);
+    for (int k = 0; k < most; ++k) {
+      const std::int32_t i = in_bin(2, k);
+      if (i < 0) break;
+      spheres_.prefetch_neighbours(i);
+      const Meeting<Real>& meeting = meetings(i).first();
+      if (calendar_.time(i) < meeting.time) {
+        spheres_.prefetch_cells(i);
+      } else if (!wall(meeting.partner())) {
+        fetch(meeting.partner());
+      }
+    }
+    for (int k = 0; k < most; ++k) {
+      const std::int32_t i = in_bin(1, k);
+      if (i < 0) break;
+      const std::int32_t partner = meetings(i).first().partner();
+      if (partner >= 0 && !wall(partner)) spheres_.prefetch_neighbours(partner);
+    }
   }
 }
 

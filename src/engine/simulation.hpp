@@ -221,6 +221,7 @@ class Simulation {
   std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;
   bool waiting_ = false;
+  std::int32_t fetched_bin_ = 0;  ///< of the calendar; does not change what happens
 };
 
 }  // namespace zenosphere
