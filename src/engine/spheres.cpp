@@ -147,13 +147,6 @@ Real Spheres<Dim, Real>::square(std::int32_t i, Neighbour neighbour, const Real&
   return dot(dr, dr);
 }
 
-template <int Dim, class Real>
-Vec<Dim, Real> Spheres<Dim, Real>::peculiar_velocity(const Sphere& sphere, const Real& when) const {
-  Vector velocity = velocity_at(sphere, when);
-  velocity[0] -= profile_in_layer(sphere, when);
-  return velocity;
-}
-
 /// The imposed velocity at the sphere's place, in the frame of its layer.
 template <int Dim, class Real>
 Real Spheres<Dim, Real>::profile_in_layer(const Sphere& sphere, const Real& when) const {

@@ -145,7 +145,11 @@ class Spheres {
   void set_back(const Real& span);
 
   /// Velocity relative to the imposed profile at the sphere's place, diameters/time.
-  Vector peculiar_velocity(const Sphere& sphere, const Real& when) const;
+  Vector peculiar_velocity(const Sphere& sphere, const Real& when) const {
+    Vector velocity = velocity_at(sphere, when);
+    if (box_.is_sheared()) velocity[0] -= profile_in_layer(sphere, when);
+    return velocity;
+  }
 
   /// The state, wrapped into the box, as a configuration at strain 0 describes it.
   ///

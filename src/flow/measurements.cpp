@@ -11,6 +11,7 @@ template <int Dim, class Real>
 Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation, double after_time)
     : shear_rate_(simulation.box().shear_rate()),
       acceleration_(simulation.surroundings().acceleration),
+      falls_(!(acceleration_ == Vector{})),
       clock_unit_(simulation.box().clock_unit()),
       after_time_(after_time),
       after_{0, Real(after_time)},
@@ -82,12 +83,15 @@ void Measurements<Dim, Real>::add_flight(Sums& sums, const Vector& velocity_at_e
   }
   const Vector mean = velocity_at_end - change * Real(0.5);
   for (int a = 0; a < Dim; ++a) {
-    for (int b = 0; b < Dim; ++b) {
-      sums.kinetic[static_cast<std::size_t>(a * Dim + b)] +=
-          (mean[a] * mean[b] + change[a] * change[b] / 12) * duration;
+    for (int b = a; b < Dim; ++b) {
+      Real square = mean[a] * mean[b];
+      if (falls_ || b == 0) square += change[a] * change[b] / 12;  // without gravity only along x
+      Real& sum = sums.kinetic[static_cast<std::size_t>(a * Dim + b)];
+      sum += square * duration;
+      sums.kinetic[static_cast<std::size_t>(b * Dim + a)] = sum;
     }
   }
-  sums.gravity_work += dot(acceleration_, mean) * duration;
+  if (falls_) sums.gravity_work += dot(acceleration_, mean) * duration;
 }
 
 /// Adds the part of every flight under way that lies before `end`.

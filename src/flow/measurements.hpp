@@ -85,6 +85,7 @@ class Measurements {
 
   Real shear_rate_;
   Vector acceleration_;
+  bool falls_;  ///< the acceleration is not zero
   Real clock_unit_;
   double after_time_;
   Instant<Real> after_;
