@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/fetch_queue.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 
@@ -55,10 +56,13 @@ class AnchorCells {
   /// No cell has had more spheres, or few more.
   std::size_t room() const { return longest_ * lanes; }
 
-  /// Fetches a cell into the cache.
-  void prefetch(std::int32_t cell) const {
-    __builtin_prefetch(&chunk(cell));
-    __builtin_prefetch(&chunk(cell).next);
+  /// What will be read of the cells `first` to `last`.
+  void add_to(FetchQueue& fetches, std::int32_t first, std::int32_t last) const {
+    constexpr std::size_t line = 64;
+    const auto* const end = reinterpret_cast<const char*>(&chunk(last) + 1);
+    for (const auto* at = reinterpret_cast<const char*>(&chunk(first)); at < end; at += line)
+      fetches.add(at);
+    fetches.add(end - 1);
   }
 
   static constexpr std::size_t lanes = 8;

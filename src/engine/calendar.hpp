@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/fetch_queue.hpp"
 #include "engine/large_vector.hpp"
 
 namespace zenosphere {
@@ -45,8 +46,8 @@ class Calendar {
     return id;
   }
 
-  /// Fetches the event of sphere `id` into the cache.
-  void prefetch(std::int32_t id) const { __builtin_prefetch(&event(id)); }
+  /// What will be read of the event of sphere `id`.
+  void add_to(FetchQueue& fetches, std::int32_t id) const { fetches.add(&event(id)); }
 
   /// Sets all events back by `span`, as when the clock is re-based.
   void set_back(const Real& span);

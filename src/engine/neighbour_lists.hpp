@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/fetch_queue.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/way.hpp"
 #include "model/limits.hpp"
@@ -75,12 +76,12 @@ class NeighbourLists {
   /// Corrects all ways for layers that have slid by a whole box.
   void turn();
 
-  /// Fetches the list of i into the cache.
-  void prefetch(std::int32_t i) const {
-    __builtin_prefetch(&counts_[static_cast<std::size_t>(i)]);
+  /// What will be read of the list of i.
+  void add_to(FetchQueue& fetches, std::int32_t i) const {
+    fetches.add(&counts_[static_cast<std::size_t>(i)]);
     const auto* const list = reinterpret_cast<const char*>(entries_.data() + at(i));
-    __builtin_prefetch(list);
-    __builtin_prefetch(list + room_ * sizeof(Neighbour) - 1);
+    fetches.add(list);
+    fetches.add(list + room_ * sizeof(Neighbour) - 1);
   }
 
  private:

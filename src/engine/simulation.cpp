@@ -182,7 +182,7 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::settle(std::int32_t i) {
   ++settlings_;
   now_.remainder = std::max(now_.remainder, calendar_.time(i));
-  predict_new(i, spheres_.settle(i, now_.remainder));
+  predict_new(i, spheres_.settle(i, now_.remainder, fetches_));
 }
 
 /// Sets the clock and all times back by whole units; the layers slide by as many cells.
@@ -203,42 +203,59 @@ void Simulation<Dim, Real>::rebase(const Real& next_event, const Instant<Real>& 
   calendar_.set_back(span);
 }
 
-/// Fetches what the next events need into the cache, in steps of some bins: what has been fetched
-/// tells what to fetch next.
+/// Lets what the next events need be fetched into the cache.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::fetch_ahead() {
+  constexpr std::int32_t most_bins = 8;
+  fetches_.fetch(8 + fetches_.size() / 4);
+  const std::int32_t now = calendar_.current_bin();
+  fetched_bin_ = std::clamp(fetched_bin_, now - most_bins, now);
+  while (fetched_bin_ < now) fetch_ahead_of(++fetched_bin_);
+}
+
+/// Adds to what will be fetched, in steps of some bins: what has been fetched tells what to fetch
+/// next.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::fetch_ahead_of(std::int32_t bin) {
   constexpr std::int32_t bins_a_step = 4;
   constexpr int most = 3;  // of one bin; few hold more
-  const auto fetch = [this](std::int32_t i) {
-    spheres_.prefetch(i);
-    calendar_.prefetch(i);
-    __builtin_prefetch(&meetings(i));
+  const auto ahead = [&](int steps, int number) {
+    return calendar_.in_bin(bin + steps * bins_a_step, number);
   };
-  fetched_bin_ =
-      std::clamp(fetched_bin_, calendar_.current_bin() - 2 * bins_a_step, calendar_.current_bin());
-  for (; fetched_bin_ < calendar_.current_bin(); ++fetched_bin_) {
-    const auto in_bin = [this](int steps, int number) {
-      return calendar_.in_bin(fetched_bin_ + 1 + steps * bins_a_step, number);
-    };
-    for (int k = 0; k < most; ++k) {  // in a bin one leads to the next
-      if (const std::int32_t i = in_bin(2 + most - k, k); i >= 0) fetch(i);
+  const auto fetch = [this](std::int32_t i) {
+    if (wall(i)) return;
+    spheres_.add_to(fetches_, i);
+    calendar_.add_to(fetches_, i);
+    fetches_.add(&meetings(i));
+  };
+  for (int k = 0; k < most; ++k) {  // in a bin one leads to the next
+    if (const std::int32_t i = ahead(2 + most - k, k); i >= 0) fetch(i);
+  }
+  const auto will_settle = [this](std::int32_t i) {
+    return calendar_.time(i) < meetings(i).first().time;
+  };
+  for (int k = 0; k < most; ++k) {
+    const std::int32_t i = ahead(2, k);
+    if (i < 0) break;
+    if (will_settle(i)) {
+      spheres_.add_cells_to(fetches_, i);
+    } else {
+      fetch(meetings(i).first().partner());
     }
-    for (int k = 0; k < most; ++k) {
-      const std::int32_t i = in_bin(2, k);
-      if (i < 0) break;
-      spheres_.prefetch_neighbours(i);
-      const Meeting<Real>& meeting = meetings(i).first();
-      if (calendar_.time(i) < meeting.time) {
-        spheres_.prefetch_cells(i);
-      } else if (!wall(meeting.partner())) {
-        fetch(meeting.partner());
-      }
-    }
-    for (int k = 0; k < most; ++k) {
-      const std::int32_t i = in_bin(1, k);
-      if (i < 0) break;
-      const std::int32_t partner = meetings(i).first().partner();
-      if (partner >= 0 && !wall(partner)) spheres_.prefetch_neighbours(partner);
+  }
+  for (int k = 0; k < most; ++k) {
+    const std::int32_t i = ahead(1, k);
+    if (i < 0) break;
+    if (will_settle(i)) continue;
+    const Meeting<Real>& first = meetings(i).first();
+    const Meeting<Real>& second = meetings(i).second();
+    if (!is_stale(first)) {
+      spheres_.add_neighbours_to(fetches_, i);
+      if (!wall(first.partner())) spheres_.add_neighbours_to(fetches_, first.partner());
+    } else if (second.is_with_anybody()) {
+      fetch(second.partner());
+    } else {
+      spheres_.add_neighbours_to(fetches_, i);
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "engine/configuration.hpp"
 #include "engine/contact_physics.hpp"
 #include "engine/contacts_ahead.hpp"
+#include "engine/fetch_queue.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/next_meetings.hpp"
@@ -172,6 +173,7 @@ class Simulation {
   bool is_stale(const Meeting<Real>& meeting) const;
   void go_stale(std::int32_t i);
   void fetch_ahead();
+  void fetch_ahead_of(std::int32_t bin);
 
   Collision<Dim, Real> next_with(std::int32_t i);
   void meet(Collision<Dim, Real>& collision, Neighbour neighbour);
@@ -221,7 +223,8 @@ class Simulation {
   std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;
   bool waiting_ = false;
-  std::int32_t fetched_bin_ = 0;  ///< of the calendar; does not change what happens
+  FetchQueue fetches_;  ///< these two change nothing but the speed
+  std::int32_t fetched_bin_ = 0;
 };
 
 }  // namespace zenosphere

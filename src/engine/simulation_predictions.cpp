@@ -18,7 +18,7 @@ void Simulation<Dim, Real>::predict(std::int32_t i) {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::predict_from_here(std::int32_t i) {
   const auto neighbours = spheres_.neighbours(i);
-  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder)) {
+  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder, fetches_)) {
     meetings(i).set(meeting(two->first, two->first_time), meeting(two->second, two->second_time),
                     two->meetings <= 2);
   } else {
@@ -31,7 +31,7 @@ void Simulation<Dim, Real>::predict_from_here(std::int32_t i) {
 /// Adds the meetings with new neighbours to those that are known.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::predict_new(std::int32_t i, std::span<const Neighbour> neighbours) {
-  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder)) {
+  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder, fetches_)) {
     meetings(i).add({meeting(two->first, two->first_time), meeting(two->second, two->second_time),
                      two->meetings <= 2});
   } else {

@@ -10,6 +10,7 @@
 #include "engine/anchor_cells.hpp"
 #include "engine/configuration.hpp"
 #include "engine/contacts_ahead.hpp"
+#include "engine/fetch_queue.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/settling.hpp"
@@ -92,10 +93,11 @@ class Spheres {
   /// each; otherwise nothing, and find_contacts() tells.
   std::optional<FirstContacts<Real>> first_contacts(std::int32_t i,
                                                     std::span<const Neighbour> neighbours,
-                                                    const Real& when) const {
+                                                    const Real& when, FetchQueue& fetches) const {
     if constexpr (Dim == 3 && std::is_same_v<Real, double>) {
       if (lanes_are_wide_)
-        return first_contacts_wide(spheres_.data(), neighbours, images_.data(), viewpoint(i, when));
+        return first_contacts_wide(spheres_.data(), neighbours, images_.data(), viewpoint(i, when),
+                                   fetches);
     }
     return std::nullopt;
   }
@@ -110,24 +112,23 @@ class Spheres {
     }
   }
 
-  /// Fetches what will be read of a sphere.
-  void prefetch(std::int32_t i) const {
-    __builtin_prefetch(&spheres_[static_cast<std::size_t>(i)]);
-    __builtin_prefetch(&anchors_[static_cast<std::size_t>(i)]);
-    lists_.prefetch(i);
+  /// What will be read of a sphere.
+  void add_to(FetchQueue& fetches, std::int32_t i) const {
+    fetches.add(&spheres_[static_cast<std::size_t>(i)]);
+    fetches.add(&anchors_[static_cast<std::size_t>(i)]);
+    lists_.add_to(fetches, i);
   }
   /// And of the cells around it.
-  void prefetch_cells(std::int32_t i) const {
+  void add_cells_to(FetchQueue& fetches, std::int32_t i) const {
     cells_.for_each_run(cells_.coordinates((*this)[i].cell), {{{-1, 1}, {-1, 1}, {-1, 1}}},
                         [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
-                          for (std::int32_t cell = first; cell <= last; ++cell)
-                            anchor_cells_.prefetch(cell);
+                          anchor_cells_.add_to(fetches, first, last);
                         });
   }
   /// And of its neighbours.
-  void prefetch_neighbours(std::int32_t i) const {
+  void add_neighbours_to(FetchQueue& fetches, std::int32_t i) const {
     for (const Neighbour neighbour : lists_.of(i)) {
-      __builtin_prefetch(&spheres_[static_cast<std::size_t>(neighbour.sphere())]);
+      fetches.add(&spheres_[static_cast<std::size_t>(neighbour.sphere())]);
     }
   }
 
@@ -135,10 +136,10 @@ class Spheres {
   /// that it is after it.
   Real unsettled_at(std::int32_t i, const Real& when, const Real& until) const;
 
-  /// Settles a sphere where it is at `when`.
+  /// Settles a sphere where it is at `when`; some of `fetches` are fetched on the way.
   ///
   /// \return  its new neighbours
-  std::span<const Neighbour> settle(std::int32_t i, const Real& when);
+  std::span<const Neighbour> settle(std::int32_t i, const Real& when, FetchQueue& fetches);
 
   /// Sets the clock of all spheres back by `span`; under shear that is one clock unit, and the
   /// layers have slid by one more cell.
@@ -165,7 +166,7 @@ class Spheres {
   void drop_anchor(std::int32_t i, const Real& when);
   Vector corner(std::int32_t cell) const;
   bool go_home(Sphere& sphere, const Real& when) const;
-  std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when);
+  std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when, FetchQueue& fetches);
   double slid_columns(const Real& when) const;
   typename SlidingCells<Dim>::Reach columns_within_reach(std::int32_t i, double slid) const;
   void find_images();

@@ -83,7 +83,8 @@ Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity
 }
 
 template <int Dim, class Real>
-std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real& when) {
+std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real& when,
+                                                      FetchQueue& fetches) {
   Sphere& sphere = (*this)[i];
   anchor_cells_.remove(i, sphere.cell);
   if (go_home(sphere, when)) {
@@ -92,7 +93,7 @@ std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real
     lists_.replace(i, {});
   }
   drop_anchor(i, when);
-  const std::span<Neighbour> neighbours = neighbours_of(i, when);
+  const std::span<Neighbour> neighbours = neighbours_of(i, when, fetches);
   const std::size_t fresh = lists_.replace(i, neighbours);
   anchor_cells_.insert(i, sphere.cell, anchor(i));
   return neighbours.first(fresh);
@@ -159,7 +160,8 @@ bool Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when) const {
 /// All spheres whose balls come within a diameter of the ball of i while one slides past the
 /// other.
 template <int Dim, class Real>
-std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Real& when) {
+std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Real& when,
+                                                       FetchQueue& fetches) {
   const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
   const Anchor& anchor = this->anchor(i);
   // Adjacent layers slide on by half a cell while the list lasts: a quarter either way of the
@@ -181,6 +183,7 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
           target.place[axis] = static_cast<std::int16_t>(anchor.place[axis] - ahead);
         }
         target.slide = static_cast<std::int16_t>(layers != 0 ? quarter : 0);
+        fetches.fetch(4);
         end = anchor_cells_.find(first, last, target, way, end);
       });
   std::fill_n(end, 4, Neighbour(i, Way()));  // what looks at four at once may look beyond the end
@@ -234,10 +237,12 @@ void Spheres<Dim, Real>::set_back(const Real& span) {
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                       \
   template Real Spheres<Dim, Real>::unsettled_at(std::int32_t, const Real&, const Real&) const; \
-  template std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t, const Real&);    \
+  template std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t, const Real&,     \
+                                                                 FetchQueue&);                  \
   template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&);                     \
   template bool Spheres<Dim, Real>::go_home(Sphere&, const Real&) const;                        \
-  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);   \
+  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&,    \
+                                                                  FetchQueue&);                 \
   template void Spheres<Dim, Real>::set_back(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

@@ -197,7 +197,7 @@ ZENOSPHERE_WIDE inline std::optional<FirstContacts<double>> first_of_all(
 
 ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts_wide(
     const Sphere<3, double>* spheres, std::span<const Neighbour> neighbours,
-    const Image<3, double>* images, const Viewpoint<3, double>& from) {
+    const Image<3, double>* images, const Viewpoint<3, double>& from, FetchQueue& fetches) {
   const std::size_t size = neighbours.size();
   if (size > NumberedApproaches::most) return std::nullopt;
   NumberedApproaches approaches;
@@ -205,6 +205,7 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts_wide(
   for (std::size_t k = 0; k < size; k += 4) {
     const Approaches four = zenosphere::approaches(spheres, neighbours.data() + k, images, from);
     approaches.put(k, four);
+    fetches.fetch(4);
     candidates |= static_cast<std::uint64_t>(bits(may_touch(four))) << k;
   }
   candidates &= (std::uint64_t{1} << size) - 1;
@@ -239,7 +240,7 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts_wide(
 std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<3, double>*,
                                                          std::span<const Neighbour>,
                                                          const Image<3, double>*,
-                                                         const Viewpoint<3, double>&) {
+                                                         const Viewpoint<3, double>&, FetchQueue&) {
   return std::nullopt;
 }
 

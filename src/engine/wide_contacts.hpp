@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/contacts_ahead.hpp"
+#include "engine/fetch_queue.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/sphere.hpp"
 #include "model/shear_box.hpp"
@@ -15,10 +16,12 @@ namespace zenosphere {
 ///
 /// \param neighbours  three more, of any spheres, have to follow the last
 /// \param images      of each Way, at remainder 0
+/// \param fetches     some of which are fetched on the way
 /// \return nothing where it takes a look at each one: of overlaps, equal times, long lists
 std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<3, double>* spheres,
                                                          std::span<const Neighbour> neighbours,
                                                          const Image<3, double>* images,
-                                                         const Viewpoint<3, double>& viewpoint);
+                                                         const Viewpoint<3, double>& viewpoint,
+                                                         FetchQueue& fetches);
 
 }  // namespace zenosphere

@@ -80,8 +80,9 @@ TEST(Spheres, HaveToBeSettledAgainWhereTheyLeaveTheirBall) {
   const Configuration<1, double> start{{{1}, {4}, {7}, {10}, {13}, {16}, {19}, {22}, {25}, {28}},
                                        std::vector<Vec<1, double>>(10, {{2}})};
   Spheres<1, double> spheres(box, start, {});
+  FetchQueue nothing;
   EXPECT_NEAR(spheres.unsettled_at(0, 0, never), reach / 2, 1e-3);
-  spheres.settle(9, 1.2);  // 28 + 2.4 is through the face
+  spheres.settle(9, 1.2, nothing);  // 28 + 2.4 is through the face
   EXPECT_NEAR(spheres.position_at(spheres[9], 1.2)[0], 0.4, 1e-14);
   EXPECT_EQ(spheres[9].position[0], -2);  // stored for time 0, as before
   EXPECT_NEAR(spheres.unsettled_at(9, 1.2, never), 1.2 + reach / 2, 1e-3);

@@ -49,8 +49,9 @@ class WideContacts : public ::testing::Test {
   }
 
   std::optional<FirstContacts<double>> found(const std::vector<Neighbour>& neighbours) const {
+    FetchQueue nothing;
     return first_contacts_wide(spheres.data(), std::span(neighbours).first(neighbours.size() - 3),
-                               images.data(), here);
+                               images.data(), here, nothing);
   }
 
   /// What contact() says of a neighbour.
