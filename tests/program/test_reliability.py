@@ -3,6 +3,8 @@
 import ctypes
 import os
 import random
+import shutil
+import signal
 import subprocess
 
 import h5py
@@ -50,10 +52,10 @@ def test_run_in_a_read_only_folder_is_exit_code_4(read_only):
 
 
 def test_folder_that_vanishes_ends_the_run_at_once(program):
-    process = program.start({"output.checkpoint_collisions": 100000})
-    for path in program.folder.iterdir():
-        path.unlink()
-    program.folder.rmdir()
+    process = program.start()
+    process.send_signal(signal.SIGSTOP)  # or it might take a file away first
+    shutil.rmtree(program.folder)
+    process.send_signal(signal.SIGCONT)
     _, errors = process.communicate(timeout=10)
     assert process.returncode == 4 and "no longer there" in errors
     program.folder.mkdir()
