@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "engine/start.hpp"
@@ -132,6 +133,34 @@ TEST(Simulation, StopsOnTheWayChangeNoCollisionWithWallsAndGravity) {
         << n;
     ASSERT_EQ(collision->change, expected.change) << n;
   }
+}
+
+TEST(Simulation, OfMoreSpheresThanACacheHoldsKeepsItsEnergyAndLetsNobodyPass) {
+  constexpr int discs_a_row = 160;
+  constexpr double spacing = 1.5;
+  support::Dice dice{5};
+  Configuration<2, double> start;
+  for (int k = 0; k < discs_a_row * discs_a_row; ++k) {
+    start.positions.push_back(
+        {{spacing * (k % discs_a_row + 0.5), spacing * (k / discs_a_row + 0.5)}});
+    start.velocities.push_back({{dice.between(-1, 1), dice.between(-1, 1)}});
+  }
+  const double side = discs_a_row * spacing;
+  Plane gas(ShearBox<2, double>({side, side}, 0, spacing, 1), start, {1.0},
+            {{}, Walls<double>{.axis = 1}});
+  const auto energy = [&] {
+    double twice = 0;
+    for (std::int32_t i = 0; i < gas.spheres(); ++i) {
+      twice += dot(gas.peculiar_velocity(i), gas.peculiar_velocity(i));
+    }
+    return twice / 2;
+  };
+  const double before = energy();
+  while (gas.collisions() < 3 * gas.spheres()) {
+    const auto collision = gas.next_collision(1e3);
+    ASSERT_TRUE(!collision || collision->gap_before > -1e-11);
+  }
+  EXPECT_NEAR(energy(), before, 1e-11 * before);
 }
 
 TEST(Simulation, CallsACollisionAbsorbedThatIsBelowTheLastBitOfTheVelocities) {
