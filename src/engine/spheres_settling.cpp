@@ -183,7 +183,7 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
           target.place[axis] = static_cast<std::int16_t>(anchor.place[axis] - ahead);
         }
         target.slide = static_cast<std::int16_t>(layers != 0 ? quarter : 0);
-        fetches.fetch(4);
+        fetches.fetch_a_few();
         end = anchor_cells_.find(first, last, target, way, end);
       });
   std::fill_n(end, 4, Neighbour(i, Way()));  // what looks at four at once may look beyond the end

@@ -205,7 +205,7 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts_wide(
   for (std::size_t k = 0; k < size; k += 4) {
     const Approaches four = zenosphere::approaches(spheres, neighbours.data() + k, images, from);
     approaches.put(k, four);
-    fetches.fetch(4);
+    fetches.fetch_a_few();
     candidates |= static_cast<std::uint64_t>(bits(may_touch(four))) << k;
   }
   candidates &= (std::uint64_t{1} << size) - 1;
