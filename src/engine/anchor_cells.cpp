@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/equal_in_four.hpp"
 #include "engine/wide_lanes.hpp"
 
 namespace zenosphere {
@@ -24,20 +25,22 @@ static_assert(far_away - 4 * AnchorCells::grains_a_cell > 5 * AnchorCells::grain
 
 constexpr Chunk empty_chunk() {
   Chunk chunk{};
-  for (std::size_t k = 0; k < AnchorCells::lanes; ++k) {
+  for (std::size_t k = 0; k < Chunk::places; ++k) {
     chunk.sphere[k] = free_place;
     chunk.xy[k][0] = far_away;
   }
   return chunk;
 }
 
-/// The first place at which `sphere` stands, or `lanes`.
+/// The first place at which `sphere` stands, or `places`.
 std::size_t place_of(const Chunk& chunk, std::int32_t sphere) {
-  unsigned places = 1u << AnchorCells::lanes;
-  for (std::size_t k = 0; k < AnchorCells::lanes; ++k) {  // no branch: it would be unforeseeable
-    places |= static_cast<unsigned>(chunk.sphere[k] == sphere) << k;
-  }
-  return static_cast<std::size_t>(std::countr_zero(places));
+  static_assert(Chunk::places == 6);
+  const auto wanted = static_cast<std::uint32_t>(sphere);
+  const auto four_from = [&](unsigned first) {
+    return equal_in_four(chunk.sphere + first, wanted, ~std::uint32_t{0}) << first;
+  };
+  return static_cast<std::size_t>(
+      std::countr_zero(four_from(0) | four_from(2) | 1u << Chunk::places));
 }
 
 /// Places that are taken: the first so many.
@@ -55,7 +58,7 @@ Neighbour* find_in(std::span<const Chunk> row, const Chunk* further,
   int x = target.place[0];
   for (const Chunk& first : row) {
     for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
-      for (std::size_t k = 0; k < AnchorCells::lanes; ++k) {
+      for (std::size_t k = 0; k < Chunk::places; ++k) {
         const int dx = std::max(0, std::abs(chunk->xy[k][0] - x) - target.slide);
         const int dy = chunk->xy[k][1] - target.place[1];
         const int dz = chunk->z[k] - target.place[2];
@@ -85,7 +88,8 @@ struct Compressions {
 };
 constexpr Compressions compressions;
 
-/// The same, eight at a time.
+/// The same, a chunk at a time. It is read as if it had eight places; what is read at the last two
+/// belongs to its other members and counts for nothing.
 ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const Chunk> row, const Chunk* further,
                                      const AnchorCells::Target& target, std::uint32_t way,
                                      Neighbour* found) {
@@ -99,18 +103,20 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const Chunk> row, const Chunk* fu
   const __m256i slide = _mm256_set1_epi32(pair(target.slide, 0));
   const __m256i limit = _mm256_set1_epi32(target.square);
   const __m256i ways = _mm256_set1_epi32(static_cast<int>(way));
+  constexpr unsigned all_places = (1u << Chunk::places) - 1;
   for (const Chunk& first : row) {
     for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
-      const auto* const lanes = reinterpret_cast<const __m256i*>(chunk);
+      const auto at = [](const auto& member) { return reinterpret_cast<const __m256i*>(member); };
       // Saturated, so that free places remain far away.
       const __m256i xy = _mm256_subs_epu16(
-          _mm256_abs_epi16(_mm256_subs_epi16(_mm256_load_si256(lanes), here)), slide);
+          _mm256_abs_epi16(_mm256_subs_epi16(_mm256_load_si256(at(chunk->xy)), here)), slide);
       const __m256i z = _mm256_cvtepi16_epi32(
           _mm_sub_epi16(_mm_load_si128(reinterpret_cast<const __m128i*>(chunk->z)), here_z));
       const __m256i square = _mm256_add_epi32(_mm256_madd_epi16(xy, xy), _mm256_mullo_epi32(z, z));
-      const auto set = static_cast<unsigned>(
-          _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(limit, square))));
-      const __m256i spheres = _mm256_or_si256(_mm256_load_si256(lanes + 1), ways);
+      const auto set = static_cast<unsigned>(_mm256_movemask_ps(
+                           _mm256_castsi256_ps(_mm256_cmpgt_epi32(limit, square)))) &
+                       all_places;
+      const __m256i spheres = _mm256_or_si256(_mm256_loadu_si256(at(chunk->sphere)), ways);
       const __m256i order =
           _mm256_load_si256(reinterpret_cast<const __m256i*>(compressions.lanes[set]));
       _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
@@ -144,7 +150,7 @@ void AnchorCells::insert(std::int32_t sphere, std::int32_t cell, const Anchor& a
   std::size_t chunks = 1;
   for (; last->next >= 0; ++chunks) last = &further_[static_cast<std::size_t>(last->next)];
   std::size_t k = taken(*last);
-  if (k == lanes) {
+  if (k == Chunk::places) {
     last = &append_to(*last);
     k = 0;
     longest_ = std::max(longest_, chunks + 1);
@@ -162,7 +168,7 @@ void AnchorCells::remove(std::int32_t sphere, std::int32_t cell) {
   Chunk* before_last = nullptr;
   Chunk* last = &chunk(cell);
   for (;;) {
-    if (const std::size_t k = place_of(*last, sphere); k < lanes) {
+    if (const std::size_t k = place_of(*last, sphere); k < Chunk::places) {
       holder = last;
       place = k;
     }

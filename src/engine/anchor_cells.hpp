@@ -48,33 +48,33 @@ class AnchorCells {
 
   /// Appends the neighbours in the cells `first` to `last`, of one row, to `found`.
   ///
-  /// \param found  with room for eight more than room() for each cell
+  /// \param found  with room for room() of each cell and `slack` more
   /// \return       the new end
   Neighbour* find(std::int32_t first, std::int32_t last, const Target& target, Way way,
                   Neighbour* found) const;
 
   /// No cell has had more spheres, or few more.
-  std::size_t room() const { return longest_ * lanes; }
+  std::size_t room() const { return longest_ * Chunk::places; }
 
   /// What will be read of the cells `first` to `last`.
   void add_to(FetchQueue& fetches, std::int32_t first, std::int32_t last) const {
-    constexpr std::size_t line = 64;
-    const auto* const end = reinterpret_cast<const char*>(&chunk(last) + 1);
-    for (const auto* at = reinterpret_cast<const char*>(&chunk(first)); at < end; at += line)
-      fetches.add(at);
-    fetches.add(end - 1);
+    for (std::int32_t cell = first; cell <= last; ++cell) fetches.add(&chunk(cell));
   }
 
-  static constexpr std::size_t lanes = 8;
+  /// So many Neighbours behind those that are found may be overwritten.
+  static constexpr std::size_t slack = 8;
 
-  /// Places for eight spheres; at free ones, which come last, the anchor is far from everywhere.
-  struct alignas(32) Chunk {
+  /// Places for six spheres, as many as a line of the cache holds; at free ones, which come last,
+  /// the anchor is far from everywhere.
+  struct alignas(64) Chunk {
+    static constexpr std::size_t places = 6;
     static constexpr std::int32_t none = -1;
-    std::int16_t xy[lanes][2];
-    std::int32_t sphere[lanes];
-    std::int16_t z[lanes];
+    std::int16_t xy[places][2];
+    std::int32_t sphere[places];
+    std::int16_t z[places];
     std::int32_t next = none;  ///< further spheres of the cell
   };
+  static_assert(sizeof(Chunk) == 64);
 
  private:
   Chunk& append_to(Chunk& last);

@@ -5,9 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
+#include "engine/equal_in_four.hpp"
 
 namespace zenosphere {
 
@@ -22,22 +20,10 @@ std::uint64_t places_of(const Neighbour* entries, std::size_t count, std::uint32
                         std::uint32_t mask) {
   std::uint64_t places = 0;
   count = std::min(count, most_in_a_set);
-#ifdef __SSE2__
-  const __m128i pattern = _mm_set1_epi32(static_cast<int>(wanted));
-  const __m128i bits = _mm_set1_epi32(static_cast<int>(mask));
   for (std::size_t k = 0; k < count; k += 4) {
-    const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(entries + k));
-    const __m128i equal = _mm_cmpeq_epi32(_mm_and_si128(four, bits), pattern);
-    const auto set = static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(equal)));
-    places |= std::uint64_t{set} << k;
+    places |= std::uint64_t{equal_in_four(entries + k, wanted, mask)} << k;
   }
   return count == most_in_a_set ? places : places & ((std::uint64_t{1} << count) - 1);
-#else
-  for (std::size_t k = 0; k < count; ++k) {
-    places |= std::uint64_t{(entries[k].packed() & mask) == wanted} << k;
-  }
-  return places;
-#endif
 }
 
 /// What may be read behind the end of a list, since entries are read four at a time.

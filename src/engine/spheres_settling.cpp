@@ -168,7 +168,7 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
   // middle.
   const int quarter = box_.is_sheared() ? cell_grains_[0] / 4 + 1 : 0;
   const int slid = static_cast<int>(slid_columns(when) * cell_grains_[0] + 0.5) + quarter;
-  nearby_.resize(most_cells_around * anchor_cells_.room() + AnchorCells::lanes);
+  nearby_.resize(most_cells_around * anchor_cells_.room() + AnchorCells::slack);
   Neighbour* end = nearby_.data();
   AnchorCells::Target target{};
   target.cell_width = static_cast<std::int16_t>(cell_grains_[0]);

@@ -60,7 +60,7 @@ void expect_agreement(int spheres) {
         .cell_width = kWidth,
         .slide = somewhere(0, n % 2 == 0 ? 1 : 2000),
         .square = dice.below(36000000)};
-    std::vector<Neighbour> found(kCells * cells.room() + 8);
+    std::vector<Neighbour> found(kCells * cells.room() + AnchorCells::slack);
     const Neighbour* const end = cells.find(0, kCells - 1, target, way, found.data());
     std::set<std::int32_t> spheres_found;
     for (const Neighbour* one = found.data(); one != end; ++one) {
@@ -78,7 +78,7 @@ TEST(AnchorCells, FindItInCrowdedCells) { expect_agreement(120); }
 TEST(AnchorCells, FindNobodyInEmptyCells) {
   const AnchorCells cells(kCells);
   for (const auto x : {std::int16_t{-9000}, std::int16_t{0}, std::int16_t{24000}}) {
-    std::vector<Neighbour> found(kCells * cells.room() + 8);
+    std::vector<Neighbour> found(kCells * cells.room() + AnchorCells::slack);
     const AnchorCells::Target target{{x, 0, 0}, kWidth, 1500, 6000 * 6000};
     EXPECT_EQ(cells.find(0, kCells - 1, target, Way(), found.data()), found.data());
   }
