@@ -5,22 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/anchor.hpp"
 #include "engine/fetch_queue.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 
 namespace zenosphere {
-
-/// The middle of the ball in which a sphere stays until it is settled again.
-struct Anchor {
-  std::array<std::int16_t, 3> place{};  ///< from the lower corner of its cell, in grains
-  float expires = 0;  ///< remainder of the clock: the sphere is settled again by then
-
-  template <class Self, class Archive>
-  static void archive_state(Self& self, Archive& archive) {
-    archive(self.place, self.expires);
-  }
-};
 
 /// The anchors of the spheres, cell by cell, side by side as a search for neighbours reads them.
 ///

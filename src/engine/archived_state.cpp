@@ -16,13 +16,14 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& accele
                             ArchiveReader& archive)
     : Spheres(archive.template next<LargeVector<Sphere>>(), box, acceleration) {
   for (const Sphere& sphere : spheres_) require_possible(sphere);
-  archive(anchors_);
-  require_archived(anchors_.size() == spheres_.size(), "anchors of another number of spheres");
+  const auto anchors = archive.template next<std::vector<Anchor>>();
+  require_archived(anchors.size() == spheres_.size(), "anchors of another number of spheres");
   const auto whole_slide = archive.template next<std::int32_t>();
   require_archived(whole_slide >= 0 && whole_slide < box.cells()[0], "layers that left the box");
   cells_.slide_to(whole_slide);
   find_images();
   for (std::int32_t i = 0; i < count(); ++i) {
+    anchor(i) = anchors[static_cast<std::size_t>(i)];
     for (const int place : anchor(i).place) {
       require_archived(place >= 0 && place <= AnchorCells::grains_a_cell,
                        "an anchor outside of its cell");
@@ -44,7 +45,9 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& accele
 /// lists are sorted, since their order means nothing.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::archive_to(ArchiveWriter& archive) const {
-  archive(spheres_, anchors_, std::int32_t{cells_.whole_slide()});
+  std::vector<Anchor> anchors;
+  for (std::int32_t i = 0; i < count(); ++i) anchors.push_back(anchor(i));
+  archive(spheres_, anchors, std::int32_t{cells_.whole_slide()});
   std::vector<std::uint32_t> later;
   for (std::int32_t i = 0; i < count(); ++i) {
     later.clear();

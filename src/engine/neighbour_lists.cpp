@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -29,19 +30,24 @@ std::uint64_t places_of(const Neighbour* entries, std::size_t count, std::uint32
 /// What may be read behind the end of a list, since entries are read four at a time.
 constexpr std::size_t slack = 3;
 
-/// Room for nearly all lists, where their lengths scatter as in a fluid.
-std::size_t fitting_room(double mean) {
-  constexpr double spare = 4;
-  const auto fours = static_cast<std::size_t>(std::clamp((mean + spare) / 4, 1.0, 1000.0));
-  return 4 * (fours + 1);
+/// Bytes for a head and nearly all lists, where their lengths scatter as in a fluid; as many as lie
+/// within few lines of the cache.
+std::size_t fitting_record(std::size_t head, double mean) {
+  constexpr double spare = 5;
+  constexpr double most = 4000;
+  constexpr std::size_t half_a_line = 32;
+  const auto fours = static_cast<std::size_t>(std::ceil(std::min(mean + spare, most) / 4));
+  const std::size_t bytes = head + 4 * fours * sizeof(Neighbour);
+  return (bytes + half_a_line - 1) / half_a_line * half_a_line;
 }
 
 }  // namespace
 
 NeighbourLists::NeighbourLists(std::int32_t spheres, double mean)
-    : room_(fitting_room(mean)),
-      counts_(static_cast<std::size_t>(spheres), 0),
-      entries_(static_cast<std::size_t>(spheres) * room_) {}
+    : spheres_(spheres),
+      record_size_(fitting_record(sizeof(Head), mean)),
+      room_((record_size_ - sizeof(Head)) / sizeof(Neighbour)),
+      records_(static_cast<std::size_t>(spheres) * record_size_) {}
 
 std::uint64_t NeighbourLists::places(std::int32_t i, std::int32_t j) const {
   const auto list = of(i);
@@ -67,10 +73,10 @@ void NeighbourLists::drop(std::int32_t i, Neighbour neighbour) {
 /// Lets the list of i have `count` entries, of which those that there are stay. Returns the list.
 Neighbour* NeighbourLists::resize(std::int32_t i, std::size_t count) {
   if (count > most) throw std::length_error("more neighbours than a sphere can have");
-  Neighbour* const usual = entries_.data() + at(i);
+  Neighbour* const usual = this->usual(i);
   const std::size_t before = this->count(i);
   const bool was_long = is_long(i);
-  counts_[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(count);
+  head(i).count = static_cast<std::uint32_t>(count);
   if (!was_long && !is_long(i)) [[likely]]
     return usual;
   const std::uint32_t number = was_long ? usual->packed() : take_long_list();
@@ -127,9 +133,9 @@ std::size_t NeighbourLists::replace(std::int32_t i, std::span<Neighbour> now) {
 }
 
 void NeighbourLists::turn() {
-  for (std::size_t i = 0; i < counts_.size(); ++i) {
-    Neighbour* const list = entries(static_cast<std::int32_t>(i));
-    for (std::size_t k = 0; k < counts_[i]; ++k) {
+  for (std::int32_t i = 0; i < spheres_; ++i) {
+    Neighbour* const list = entries(i);
+    for (std::size_t k = 0; k < count(i); ++k) {
       list[k] = {list[k].sphere(), list[k].way().after_whole_turn()};
     }
   }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/anchor.hpp"
 #include "engine/fetch_queue.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/way.hpp"
@@ -47,13 +48,17 @@ class Neighbour {
 /// Who is near whom: for each sphere those that it can touch before either one is settled anew.
 ///
 /// If j is on the list of i, then i is on the list of j with the reversed way. The order on a list
-/// means nothing. All lists have the same room; the few that are longer are kept elsewhere.
+/// means nothing. All lists have the same room; the few that are longer are kept elsewhere. In
+/// front of each stands the anchor of its sphere, because the two are read and renewed together.
 class NeighbourLists {
  public:
   static constexpr std::size_t most = 65532;  ///< on one list
 
   /// \param mean  length that lists are expected to have
   NeighbourLists(std::int32_t spheres, double mean);
+
+  Anchor& anchor(std::int32_t i) { return head(i).anchor; }
+  const Anchor& anchor(std::int32_t i) const { return head(i).anchor; }
 
   /// The neighbours of i. Up to three more may be read, some that there have been once.
   std::span<const Neighbour> of(std::int32_t i) const { return {entries(i), count(i)}; }
@@ -76,22 +81,37 @@ class NeighbourLists {
   /// Corrects all ways for layers that have slid by a whole box.
   void turn();
 
-  /// What will be read of the list of i.
+  /// What will be read of the list of i, and its anchor.
   void add_to(FetchQueue& fetches, std::int32_t i) const {
-    fetches.add(&counts_[static_cast<std::size_t>(i)]);
-    const auto* const list = reinterpret_cast<const char*>(entries_.data() + at(i));
-    fetches.add(list);
-    fetches.add(list + room_ * sizeof(Neighbour) - 1);
+    fetches.add(record(i));
+    fetches.add(record(i + 1) - 1);
   }
 
  private:
-  std::size_t count(std::int32_t i) const { return counts_[static_cast<std::size_t>(i)]; }
-  std::size_t at(std::int32_t i) const { return static_cast<std::size_t>(i) * room_; }
+  struct Head {
+    Anchor anchor;
+    std::uint32_t count = 0;
+  };
+
+  /// A head, and entries behind it.
+  const std::byte* record(std::int32_t i) const {
+    return records_.data() + static_cast<std::size_t>(i) * record_size_;
+  }
+  std::byte* record(std::int32_t i) {
+    return const_cast<std::byte*>(std::as_const(*this).record(i));
+  }
+  const Head& head(std::int32_t i) const { return *reinterpret_cast<const Head*>(record(i)); }
+  Head& head(std::int32_t i) { return *reinterpret_cast<Head*>(record(i)); }
+  std::size_t count(std::int32_t i) const { return head(i).count; }
   bool is_long(std::int32_t i) const { return count(i) > room_; }
 
-  /// In place of its first entry, a list that is longer has its number here.
+  /// Where its entries are, unless there are too many. In place of its first one, a list that is
+  /// longer has its number here.
+  Neighbour* usual(std::int32_t i) {
+    return reinterpret_cast<Neighbour*>(record(i) + sizeof(Head));
+  }
   const Neighbour* entries(std::int32_t i) const {
-    const Neighbour* const list = entries_.data() + at(i);
+    const auto* const list = reinterpret_cast<const Neighbour*>(record(i) + sizeof(Head));
     return is_long(i) ? long_[list->packed()].data() : list;
   }
   Neighbour* entries(std::int32_t i) {
@@ -103,9 +123,10 @@ class NeighbourLists {
   Neighbour* resize(std::int32_t i, std::size_t count);
   std::uint32_t take_long_list();
 
-  std::size_t room_;  ///< a multiple of four
-  LargeVector<std::uint16_t> counts_;
-  LargeVector<Neighbour> entries_;
+  std::int32_t spheres_;
+  std::size_t record_size_;  ///< bytes; a multiple of half a line of the cache
+  std::size_t room_;         ///< a multiple of four
+  LargeVector<std::byte> records_;
   std::vector<std::vector<Neighbour>> long_;
   std::vector<std::uint32_t> unused_;  ///< of the long ones
   std::vector<Neighbour> before_;      ///< scratch

@@ -38,7 +38,6 @@ Spheres<Dim, Real>::Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Rea
       lanes_are_wide_(!falls_ && has_wide_lanes()),
       settling_(settling_in(box, static_cast<std::int32_t>(spheres.size()))),
       spheres_(std::move(spheres)),
-      anchors_(spheres_.size()),
       lists_(count(), settling_.neighbours),
       anchor_cells_(cells_.count()) {
   for (int axis = 0; axis < Dim; ++axis) {

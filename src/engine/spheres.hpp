@@ -115,7 +115,6 @@ class Spheres {
   /// What will be read of a sphere.
   void add_to(FetchQueue& fetches, std::int32_t i) const {
     fetches.add(&spheres_[static_cast<std::size_t>(i)]);
-    fetches.add(&anchors_[static_cast<std::size_t>(i)]);
     lists_.add_to(fetches, i);
   }
   /// And of the cells around it.
@@ -193,8 +192,8 @@ class Spheres {
   Real slide(std::int64_t units, const Real& when) const;
   void wrap(Vector& position) const;
 
-  Anchor& anchor(std::int32_t i) { return anchors_[static_cast<std::size_t>(i)]; }
-  const Anchor& anchor(std::int32_t i) const { return anchors_[static_cast<std::size_t>(i)]; }
+  Anchor& anchor(std::int32_t i) { return lists_.anchor(i); }
+  const Anchor& anchor(std::int32_t i) const { return lists_.anchor(i); }
 
   ShearBox<Dim, Real> box_;
   SlidingCells<Dim> cells_;
@@ -204,7 +203,6 @@ class Spheres {
   Settling settling_;
   std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded
   LargeVector<Sphere> spheres_;
-  LargeVector<Anchor> anchors_;
   NeighbourLists lists_;
   AnchorCells anchor_cells_;
   std::vector<Neighbour> nearby_;               ///< scratch

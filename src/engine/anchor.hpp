@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace zenosphere {
+
+/// The middle of the ball in which a sphere stays until it is settled again.
+struct Anchor {
+  std::array<std::int16_t, 3> place{};  ///< from the lower corner of its cell, in grains
+  float expires = 0;  ///< remainder of the clock: the sphere is settled again by then
+
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.place, self.expires);
+  }
+};
+
+}  // namespace zenosphere
