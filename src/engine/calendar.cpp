@@ -11,6 +11,9 @@ namespace zenosphere {
 
 namespace {
 
+/// More events than this are spread over more memory than a cache holds.
+constexpr std::int32_t most_in_cache = 20000;
+
 template <class Real>
 constexpr bool is_event(const Real& time) {
   return time < std::numeric_limits<Real>::infinity();
@@ -23,7 +26,8 @@ Calendar<Real>::Calendar(std::int32_t size)
     : events_(static_cast<std::size_t>(size),
               Event{std::numeric_limits<Real>::infinity(), kNone, kNowhere}),
       bins_(static_cast<std::int32_t>(std::bit_ceil(static_cast<std::uint32_t>(size)))),
-      current_(bins_ - 1) {
+      current_(bins_ - 1),
+      soon_(size > most_in_cache ? 64 : bins_) {
   heads_.assign(static_cast<std::size_t>(bins_), kNone);
   end_cycle();
 }
@@ -38,9 +42,10 @@ void Calendar<Real>::schedule(std::int32_t id, const Real& time) {
 template <class Real>
 std::int32_t Calendar<Real>::earliest() {
   while (heap_.empty()) {
+    if (current_ + soon_ >= least_bin_) end_waits();
     if (current_ + 1 < bins_) {
       open_bin(++current_);
-    } else if (waiting_ > 0) {
+    } else if (in_next_cycle_ > 0) {
       start_cycle();
     } else {
       return kNone;
@@ -53,19 +58,21 @@ template <class Real>
 void Calendar<Real>::set_back(const Real& span) {
   heap_.clear();
   std::fill(heads_.begin(), heads_.end(), kNone);
-  waiting_ = 0;
+  in_next_cycle_ = 0;
   end_cycle();
   for (Event& event : events_) {
     if (event.place == kNowhere) continue;
     event.time -= span;
     event.place = kInNextCycle;
-    ++waiting_;
+    ++in_next_cycle_;
   }
 }
 
 /// Lets every event wait for the next cycle.
 template <class Real>
 void Calendar<Real>::end_cycle() {
+  first_wait_ = end_of_waits_;
+  least_bin_ = std::numeric_limits<std::int32_t>::max();
   current_ = bins_ - 1;
   origin_ = -std::numeric_limits<Real>::infinity();
   bins_per_time_ = 1;
@@ -81,7 +88,7 @@ void Calendar<Real>::start_cycle() {
   const Real width = fitted_bin_width(origin_);
   bins_per_time_ = width > 0 ? Real(1 / width) : Real(0);
   current_ = -1;
-  waiting_ = 0;
+  in_next_cycle_ = 0;
   for (std::size_t id = 0; id < events_.size(); ++id) {
     if (events_[id].place == kInNextCycle) place(static_cast<std::int32_t>(id));
   }
@@ -109,15 +116,52 @@ void Calendar<Real>::place(std::int32_t id) {
   if (offset < current_ + 1) {
     heap_push(id);
   } else if (offset < bins_) {
-    std::int32_t& head = heads_[static_cast<std::size_t>(offset)];
-    event.next = head;
-    event.place = behind(kNone);
-    if (head != kNone) this->event(head).place = behind(id);
-    head = id;
+    const auto bin = static_cast<std::int32_t>(offset);
+    bin <= current_ + soon_ ? put(id, bin) : wait(id, bin);
   } else {
     event.place = kInNextCycle;
-    ++waiting_;
+    ++in_next_cycle_;
   }
+}
+
+/// Lets an event wait for its bin, and fetches the head of that; then who is there for one that
+/// came earlier.
+template <class Real>
+void Calendar<Real>::wait(std::int32_t id, std::int32_t bin) {
+  constexpr std::uint32_t half = kMostWaiting / 2;
+  if (end_of_waits_ - first_wait_ == kMostWaiting) end_wait();
+  const std::uint32_t slot = end_of_waits_++ % kMostWaiting;
+  waits_[slot] = {id, bin};
+  event(id).place = waits_at(slot);
+  least_bin_ = std::min(least_bin_, bin);
+  __builtin_prefetch(&heads_[static_cast<std::size_t>(bin)]);
+  const std::int32_t earlier = waits_[(slot + half) % kMostWaiting].bin;
+  const std::int32_t head = heads_[static_cast<std::size_t>(earlier)];
+  if (head != kNone) __builtin_prefetch(&event(head));
+}
+
+/// Puts the event that waits longest into its bin, if it is still there.
+template <class Real>
+void Calendar<Real>::end_wait() {
+  const std::uint32_t slot = first_wait_++ % kMostWaiting;
+  const auto [id, bin] = waits_[slot];
+  if (event(id).place == waits_at(slot)) put(id, bin);
+}
+
+template <class Real>
+void Calendar<Real>::end_waits() {
+  while (first_wait_ != end_of_waits_) end_wait();
+  least_bin_ = std::numeric_limits<std::int32_t>::max();
+}
+
+template <class Real>
+void Calendar<Real>::put(std::int32_t id, std::int32_t bin) {
+  Event& event = this->event(id);
+  std::int32_t& head = heads_[static_cast<std::size_t>(bin)];
+  event.next = head;
+  event.place = behind(kNone);
+  if (head != kNone) this->event(head).place = behind(id);
+  head = id;
 }
 
 template <class Real>
@@ -132,7 +176,7 @@ void Calendar<Real>::remove(std::int32_t id) {
                        : this->event(previous).next) = event.next;
     if (event.next != kNone) this->event(event.next).place = place;
   } else if (place == kInNextCycle) {
-    --waiting_;
+    --in_next_cycle_;
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/fetch_queue.hpp"
@@ -55,13 +57,21 @@ class Calendar {
   struct Event {
     Real time;
     std::int32_t next;   ///< in the same bin
-    std::int32_t place;  ///< in the heap, or behind another one in a bin, or one of the following
+    std::int32_t place;  ///< in the heap or in a bin, or one of the following
   };
   static constexpr std::int32_t kNowhere = -1;
   static constexpr std::int32_t kInNextCycle = -2;
+  static constexpr std::int32_t kMostWaiting = 8;
+
+  /// The place of an event that waits for its bin.
+  static constexpr std::int32_t waits_at(std::uint32_t slot) {
+    return kInNextCycle - 1 - static_cast<std::int32_t>(slot);
+  }
 
   /// The place in a bin behind the sphere `previous`, or at its head behind kNone; and back.
-  static constexpr std::int32_t behind(std::int32_t previous) { return -4 - previous; }
+  static constexpr std::int32_t behind(std::int32_t previous) {
+    return kInNextCycle - kMostWaiting - 2 - previous;
+  }
   static constexpr bool is_in_bin(std::int32_t place) { return place <= behind(kNone); }
 
   void start_cycle();
@@ -71,6 +81,10 @@ class Calendar {
     return static_cast<double>((time - origin_) * bins_per_time_);
   }
   void place(std::int32_t id);
+  void wait(std::int32_t id, std::int32_t bin);
+  void end_wait();
+  void end_waits();
+  void put(std::int32_t id, std::int32_t bin);
   void remove(std::int32_t id);
   void open_bin(std::int32_t bin);
 
@@ -87,7 +101,15 @@ class Calendar {
   std::vector<std::int32_t> heap_;
   std::int32_t bins_;
   std::int32_t current_;
-  std::int32_t waiting_ = 0;  ///< events for the next cycle
+  std::int32_t soon_;               ///< for bins that come so soon, no event waits
+  std::int32_t in_next_cycle_ = 0;  ///< how many events are
+  struct Wait {
+    std::int32_t id, bin;
+  };
+  std::array<Wait, kMostWaiting> waits_{};
+  std::uint32_t first_wait_ = 0;  ///< counted on and on, as is the end
+  std::uint32_t end_of_waits_ = 0;
+  std::int32_t least_bin_ = std::numeric_limits<std::int32_t>::max();  ///< of the bins waited for
   Real origin_ = 0;
   Real bins_per_time_ = 0;
 };

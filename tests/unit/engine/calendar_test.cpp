@@ -122,6 +122,10 @@ TEST(Calendar, AgreesWithASortedMapOverRandomOperations) {
   compare_random_operations(64, 100000, 2);
 }
 
+TEST(Calendar, AgreesWithASortedMapWhereEventsWaitForTheirBins) {
+  compare_random_operations(25'000, 200'000, 4);
+}
+
 TEST(Calendar, AgreesWithASortedMapForFewSpheres) {
   for (const std::int32_t size : {1, 2, 3, 5}) compare_random_operations(size, 20000, 3);
 }
