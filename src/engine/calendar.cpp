@@ -11,9 +11,6 @@ namespace zenosphere {
 
 namespace {
 
-/// More events than this are spread over more memory than a cache holds.
-constexpr std::int32_t most_in_cache = 20000;
-
 template <class Real>
 constexpr bool is_event(const Real& time) {
   return time < std::numeric_limits<Real>::infinity();
@@ -27,7 +24,7 @@ Calendar<Real>::Calendar(std::int32_t size)
               Event{std::numeric_limits<Real>::infinity(), kNone, kNowhere}),
       bins_(static_cast<std::int32_t>(std::bit_ceil(static_cast<std::uint32_t>(size)))),
       current_(bins_ - 1),
-      soon_(size > most_in_cache ? 64 : bins_) {
+      soon_(size > most_spheres_in_cache ? 64 : bins_) {
   heads_.assign(static_cast<std::size_t>(bins_), kNone);
   end_cycle();
 }

@@ -39,12 +39,13 @@ class Calendar {
   /// The bin whose events come now.
   std::int32_t current_bin() const { return current_; }
 
-  /// One of the spheres with events in a later bin, as far as is known now, or kNone.
-  std::int32_t in_bin(std::int32_t bin, int number) const {
-    if (bin >= bins_) return kNone;
-    std::int32_t id = heads_[static_cast<std::size_t>(bin)];
-    for (; number > 0 && id != kNone; --number) id = event(id).next;
-    return id;
+  /// The first sphere in a later bin, as far as is known now, and the one behind a sphere in the
+  /// same bin; or kNone.
+  std::int32_t in_bin(std::int32_t bin) const {
+    return bin < bins_ ? heads_[static_cast<std::size_t>(bin)] : kNone;
+  }
+  std::int32_t behind_in_bin(std::int32_t id) const {
+    return is_in_bin(event(id).place) ? event(id).next : kNone;
   }
 
   /// What will be read of the event of sphere `id`.

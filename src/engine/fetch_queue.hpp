@@ -5,6 +5,9 @@
 
 namespace zenosphere {
 
+/// Of more spheres than this, what the next events need is fetched ahead of time.
+constexpr std::int32_t most_spheres_in_cache = 20000;
+
 /// Lines of memory that will be read soon, fetched into the cache little by little.
 ///
 /// A processor fetches about a dozen lines at a time. Where a hundred are asked for at once, it

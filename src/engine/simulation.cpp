@@ -9,13 +9,6 @@
 
 namespace zenosphere {
 
-namespace {
-
-/// Of more spheres than this it pays to fetch what the next events need ahead of time.
-constexpr std::int32_t most_in_cache = 20000;
-
-}  // namespace
-
 template <int Dim, class Real>
 Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                                   const ContactRules<Real>& rules,
@@ -37,7 +30,7 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(doubl
   // Without collisions the caller is asked again about once per sphere that is settled.
   for (std::int32_t patience = 2 * spheres() + 1024; patience > 0 && !stopped_before_; --patience) {
     const std::int32_t i = calendar_.earliest();
-    if (spheres() > most_in_cache) fetch_ahead();
+    if (spheres() > most_spheres_in_cache) fetch_ahead();
     at_rest_ = i == Calendar<Real>::kNone && !box().is_sheared();  // sliding layers do not rest
     if (at_rest_) return std::nullopt;
     const Real next =
@@ -201,63 +194,6 @@ void Simulation<Dim, Real>::rebase(const Real& next_event, const Instant<Real>& 
   spheres_.set_back(span);
   for (NextMeetings<Real>& next : meetings_) next.set_back(span);
   calendar_.set_back(span);
-}
-
-/// Lets what the next events need be fetched into the cache.
-template <int Dim, class Real>
-void Simulation<Dim, Real>::fetch_ahead() {
-  constexpr std::int32_t most_bins = 8;
-  fetches_.fetch(8 + fetches_.size() / 4);
-  const std::int32_t now = calendar_.current_bin();
-  fetched_bin_ = std::clamp(fetched_bin_, now - most_bins, now);
-  while (fetched_bin_ < now) fetch_ahead_of(++fetched_bin_);
-}
-
-/// Adds to what will be fetched, in steps of some bins: what has been fetched tells what to fetch
-/// next.
-template <int Dim, class Real>
-void Simulation<Dim, Real>::fetch_ahead_of(std::int32_t bin) {
-  constexpr std::int32_t bins_a_step = 4;
-  constexpr int most = 3;  // of one bin; few hold more
-  const auto ahead = [&](int steps, int number) {
-    return calendar_.in_bin(bin + steps * bins_a_step, number);
-  };
-  const auto fetch = [this](std::int32_t i) {
-    if (wall(i)) return;
-    spheres_.add_to(fetches_, i);
-    calendar_.add_to(fetches_, i);
-    fetches_.add(&meetings(i));
-  };
-  for (int k = 0; k < most; ++k) {  // in a bin one leads to the next
-    if (const std::int32_t i = ahead(2 + most - k, k); i >= 0) fetch(i);
-  }
-  const auto will_settle = [this](std::int32_t i) {
-    return calendar_.time(i) < meetings(i).first().time;
-  };
-  for (int k = 0; k < most; ++k) {
-    const std::int32_t i = ahead(2, k);
-    if (i < 0) break;
-    if (will_settle(i)) {
-      spheres_.add_cells_to(fetches_, i);
-    } else {
-      fetch(meetings(i).first().partner());
-    }
-  }
-  for (int k = 0; k < most; ++k) {
-    const std::int32_t i = ahead(1, k);
-    if (i < 0) break;
-    if (will_settle(i)) continue;
-    const Meeting<Real>& first = meetings(i).first();
-    const Meeting<Real>& second = meetings(i).second();
-    if (!is_stale(first)) {
-      spheres_.add_neighbours_to(fetches_, i);
-      if (!wall(first.partner())) spheres_.add_neighbours_to(fetches_, first.partner());
-    } else if (second.is_with_anybody()) {
-      fetch(second.partner());
-    } else {
-      spheres_.add_neighbours_to(fetches_, i);
-    }
-  }
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Simulation<Dim, Real>;

@@ -173,7 +173,12 @@ class Simulation {
   bool is_stale(const Meeting<Real>& meeting) const;
   void go_stale(std::int32_t i);
   void fetch_ahead();
-  void fetch_ahead_of(std::int32_t bin);
+  void fetch_round(std::int32_t round);
+  void fetch(std::int32_t i);
+  void fetch_surroundings(std::int32_t i);
+  void fetch_neighbours(std::int32_t i);
+  void fetch_partner(const Meeting<Real>& meeting);
+  bool will_settle(std::int32_t i) const;
 
   Collision<Dim, Real> next_with(std::int32_t i);
   void meet(Collision<Dim, Real>& collision, Neighbour neighbour);
@@ -223,8 +228,16 @@ class Simulation {
   std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;
   bool waiting_ = false;
-  FetchQueue fetches_;  ///< these two change nothing but the speed
-  std::int32_t fetched_bin_ = 0;
+
+  /// Who will have an event soon, by how much of what it needs is in the cache.
+  struct Soon {
+    std::vector<std::int32_t> found;  ///< nothing yet
+    std::vector<std::int32_t> known;  ///< when their events come
+    std::vector<std::int32_t> ready;  ///< their own state
+  };
+  Soon soon_;  ///< these three change nothing but the speed
+  FetchQueue fetches_;
+  std::int32_t fetched_round_ = 0;
 };
 
 }  // namespace zenosphere
