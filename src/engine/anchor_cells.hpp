@@ -48,7 +48,8 @@ class AnchorCells {
 
   /// What will be read of the cells `first` to `last`.
   void add_to(FetchQueue& fetches, std::int32_t first, std::int32_t last) const {
-    for (std::int32_t cell = first; cell <= last; ++cell) fetches.add(&chunk(cell));
+    fetches.add_each(static_cast<std::uint32_t>(last - first + 1),
+                     [at = &chunk(first)](std::uint32_t k) { return at + k; });
   }
 
   /// So many Neighbours behind those that are found may be overwritten.

@@ -20,6 +20,20 @@ class FetchQueue {
     addresses_[end_++ % most] = address;
   }
 
+  /// Adds the addresses of `count` things, if there is room for so many at all.
+  ///
+  /// \param address  of the thing with a number from 0 on
+  template <class Address>
+  void add_each(std::uint32_t count, Address address) {
+    if (size() + count > most) {
+      if (count > most) return;
+      fetch(size() + count - most);
+    }
+    const std::uint32_t end = end_;
+    for (std::uint32_t k = 0; k < count; ++k) addresses_[(end + k) % most] = address(k);
+    end_ = end + count;
+  }
+
   /// Asks for the next `count` of them, or for all if there are fewer.
   void fetch(std::uint32_t count) {
     if (begin_ == end_) return;  // always in a small system

@@ -126,9 +126,10 @@ class Spheres {
   }
   /// And of its neighbours.
   void add_neighbours_to(FetchQueue& fetches, std::int32_t i) const {
-    for (const Neighbour neighbour : lists_.of(i)) {
-      fetches.add(&spheres_[static_cast<std::size_t>(neighbour.sphere())]);
-    }
+    const auto neighbours = lists_.of(i);
+    fetches.add_each(static_cast<std::uint32_t>(neighbours.size()), [&](std::uint32_t k) {
+      return &spheres_[static_cast<std::size_t>(neighbours[k].sphere())];
+    });
   }
 
   /// When a sphere has to be settled again, as foreseen at `when`; of a time after `until` only

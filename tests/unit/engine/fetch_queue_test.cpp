@@ -29,5 +29,25 @@ TEST(FetchQueue, FetchesTheFirstAtOnceWhereThereAreTooMany) {
   }
 }
 
+TEST(FetchQueue, TakesManyTogetherOrNone) {
+  const std::vector<double> numbers(1000);
+  FetchQueue queue;
+  std::uint32_t asked = 0;
+  const auto address = [&](std::uint32_t k) {
+    EXPECT_EQ(k, asked++);
+    return &numbers[k];
+  };
+  queue.add_each(200, address);
+  EXPECT_EQ(asked, 200u);
+  EXPECT_EQ(queue.size(), 200u);
+  asked = 0;
+  queue.add_each(100, address);
+  EXPECT_EQ(asked, 100u);
+  EXPECT_EQ(queue.size(), 256u);
+  asked = 0;
+  queue.add_each(257, address);
+  EXPECT_EQ(asked, 0u);
+}
+
 }  // namespace
 }  // namespace zenosphere
