@@ -121,8 +121,8 @@ void Calendar<Real>::place(std::int32_t id) {
   }
 }
 
-/// Lets an event wait for its bin, and fetches the head of that; then who is there for one that
-/// came earlier.
+/// Lets an event wait for its bin, whose head is fetched; of an earlier one, that is half way, the
+/// sphere at the head.
 template <class Real>
 void Calendar<Real>::wait(std::int32_t id, std::int32_t bin) {
   constexpr std::uint32_t half = kMostWaiting / 2;

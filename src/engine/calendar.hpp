@@ -64,6 +64,10 @@ class Calendar {
   static constexpr std::int32_t kInNextCycle = -2;
   static constexpr std::int32_t kMostWaiting = 8;
 
+  struct Wait {
+    std::int32_t id, bin;
+  };
+
   /// The place of an event that waits for its bin.
   static constexpr std::int32_t waits_at(std::uint32_t slot) {
     return kInNextCycle - 1 - static_cast<std::int32_t>(slot);
@@ -102,11 +106,8 @@ class Calendar {
   std::vector<std::int32_t> heap_;
   std::int32_t bins_;
   std::int32_t current_;
-  std::int32_t soon_;               ///< for bins that come so soon, no event waits
+  std::int32_t soon_;               ///< for bins not further off than this no event waits
   std::int32_t in_next_cycle_ = 0;  ///< how many events are
-  struct Wait {
-    std::int32_t id, bin;
-  };
   std::array<Wait, kMostWaiting> waits_{};
   std::uint32_t first_wait_ = 0;  ///< counted on and on, as is the end
   std::uint32_t end_of_waits_ = 0;
