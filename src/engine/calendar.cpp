@@ -131,10 +131,10 @@ void Calendar<Real>::wait(std::int32_t id, std::int32_t bin) {
   waits_[slot] = {id, bin};
   event(id).place = waits_at(slot);
   least_bin_ = std::min(least_bin_, bin);
-  __builtin_prefetch(&heads_[static_cast<std::size_t>(bin)]);
+  fetch_at_once(&heads_[static_cast<std::size_t>(bin)]);
   const std::int32_t earlier = waits_[(slot + half) % kMostWaiting].bin;
   const std::int32_t head = heads_[static_cast<std::size_t>(earlier)];
-  if (head != kNone) __builtin_prefetch(&event(head));
+  if (head != kNone) fetch_at_once(&event(head));
 }
 
 /// Puts the event that waits longest into its bin, if it is still there.

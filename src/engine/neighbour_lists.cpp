@@ -102,34 +102,56 @@ std::uint32_t NeighbourLists::take_long_list() {
   return number;
 }
 
-std::size_t NeighbourLists::replace(std::int32_t i, std::span<Neighbour> now) {
-  const std::size_t count = this->count(i);
-  before_.assign(entries(i), entries(i) + count);
-  before_.resize(count + slack);
-  const std::size_t compared = std::min(count, most_in_a_set);
-  std::uint64_t kept = 0;
-  std::size_t fresh = 0;
+NeighbourLists::Changes NeighbourLists::changes(std::int32_t i, std::span<Neighbour> now) const {
+  const std::span<const Neighbour> before = of(i);
+  const std::size_t compared = std::min(before.size(), most_in_a_set);
+  Changes changes{};
   for (Neighbour& neighbour : now) {
     const std::uint64_t place =
-        places_of(before_.data(), compared, neighbour.packed(), ~std::uint32_t{0});
-    kept |= place;
+        places_of(before.data(), compared, neighbour.packed(), ~std::uint32_t{0});
+    changes.kept |= place;
     // Changes places with the first that is not new, without a branch.
     const bool is_new = place == 0;
-    const Neighbour first = now[fresh];
+    const Neighbour first = now[changes.fresh];
     const Neighbour self = neighbour;
     neighbour = is_new ? first : self;
-    now[fresh] = is_new ? self : first;
-    fresh += is_new ? 1 : 0;
+    now[changes.fresh] = is_new ? self : first;
+    changes.fresh += is_new ? 1 : 0;
   }
-  for (std::size_t k = 0; k < count; ++k) {
-    const bool is_kept = k < compared && (kept >> k & 1) != 0;
-    if (!is_kept) drop(before_[k].sphere(), before_[k].reversed(i));
+  return changes;
+}
+
+namespace {
+
+/// Those of a list of which a set of bits does not say that they are kept.
+template <class Action>
+void for_each_gone(std::span<const Neighbour> list, std::uint64_t kept, Action action) {
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const bool is_kept = k < most_in_a_set && (kept >> k & 1) != 0;
+    if (!is_kept) action(list[k]);
   }
+}
+
+}  // namespace
+
+void NeighbourLists::fetch(std::int32_t i, std::span<const Neighbour> now,
+                           const Changes& changes) const {
+  const auto fetch_list = [this](Neighbour neighbour) {
+    fetch_at_once(record(neighbour.sphere()));
+    fetch_at_once(record(neighbour.sphere() + 1) - 1);
+  };
+  std::for_each_n(now.begin(), changes.fresh, fetch_list);
+  for_each_gone(of(i), changes.kept, fetch_list);
+}
+
+void NeighbourLists::replace(std::int32_t i, std::span<const Neighbour> now,
+                             const Changes& changes) {
+  for_each_gone(of(i), changes.kept,
+                [&](Neighbour neighbour) { drop(neighbour.sphere(), neighbour.reversed(i)); });
   std::copy(now.begin(), now.end(), resize(i, now.size()));
-  for (const Neighbour neighbour : now.first(fresh)) {
+  for (const Neighbour neighbour : now.first(changes.fresh)) {
     add_one_way(neighbour.sphere(), neighbour.reversed(i));
   }
-  return fresh;
 }
 
 void NeighbourLists::turn() {

@@ -66,11 +66,22 @@ class NeighbourLists {
   /// Where j stands on the list of i, as a set of bits; among the first 64.
   std::uint64_t places(std::int32_t i, std::int32_t j) const;
 
-  /// Gives i the neighbours `now`, and i to them; takes it from those that it had before.
+  /// What it takes to give a sphere other neighbours.
+  struct Changes {
+    std::size_t fresh;   ///< how many are new; of those behind the 64th it may be taken for granted
+    std::uint64_t kept;  ///< which of those that it has stay
+  };
+
+  /// What changes where i gets the neighbours `now`.
   ///
   /// \param now  in any order; afterwards those that are new come first
-  /// \return     how many are new; of those behind the 64th it may be taken for granted
-  std::size_t replace(std::int32_t i, std::span<Neighbour> now);
+  Changes changes(std::int32_t i, std::span<Neighbour> now) const;
+
+  /// Fetches what replace() will read: all at once, since nobody knew before who comes and goes.
+  void fetch(std::int32_t i, std::span<const Neighbour> now, const Changes& changes) const;
+
+  /// Gives i the neighbours `now`, and i to them; takes it from those that it had before.
+  void replace(std::int32_t i, std::span<const Neighbour> now, const Changes& changes);
 
   /// Makes i and `neighbour` neighbours of each other, which they must not be yet.
   void add(std::int32_t i, Neighbour neighbour) {
@@ -129,7 +140,6 @@ class NeighbourLists {
   LargeVector<std::byte> records_;
   std::vector<std::vector<Neighbour>> long_;
   std::vector<std::uint32_t> unused_;  ///< of the long ones
-  std::vector<Neighbour> before_;      ///< scratch
 };
 
 }  // namespace zenosphere

@@ -22,7 +22,8 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
   for (std::int32_t i = 0; i < count(); ++i) {
     // As if it had been alone until now.
     anchor_cells_.remove(i, (*this)[i].cell);
-    lists_.replace(i, neighbours_of(i, 0, nothing_to_fetch));
+    const std::span<Neighbour> neighbours = neighbours_of(i, 0, nothing_to_fetch);
+    lists_.replace(i, neighbours, lists_.changes(i, neighbours));
     anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
   }
 }

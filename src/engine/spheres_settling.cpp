@@ -90,13 +90,19 @@ std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real
   if (go_home(sphere, when)) {
     // Every way now leads elsewhere. In a narrow box, with several ways to one neighbour, one that
     // is known could pass for another one that is new.
-    lists_.replace(i, {});
+    lists_.replace(i, {}, lists_.changes(i, {}));
   }
   drop_anchor(i, when);
   const std::span<Neighbour> neighbours = neighbours_of(i, when, fetches);
-  const std::size_t fresh = lists_.replace(i, neighbours);
+  const NeighbourLists::Changes changes = lists_.changes(i, neighbours);
+  const std::span<const Neighbour> fresh = neighbours.first(changes.fresh);
+  if (count() > most_spheres_in_cache) {
+    for (const Neighbour neighbour : fresh) fetch_at_once(&(*this)[neighbour.sphere()]);
+    lists_.fetch(i, neighbours, changes);
+  }
+  lists_.replace(i, neighbours, changes);
   anchor_cells_.insert(i, sphere.cell, anchor(i));
-  return neighbours.first(fresh);
+  return fresh;
 }
 
 template <int Dim, class Real>

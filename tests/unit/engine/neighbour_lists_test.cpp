@@ -55,9 +55,12 @@ void expect_agreement_with_sets(int spheres, int neighbours, int times) {
     }
     const std::size_t count = now.size();
     now = with_room(now);
-    const std::size_t fresh = lists.replace(i, std::span(now).first(count));
+    const std::span<Neighbour> all = std::span(now).first(count);
+    const NeighbourLists::Changes changes = lists.changes(i, all);
+    lists.fetch(i, all, changes);
+    lists.replace(i, all, changes);
     Set found_new;
-    for (std::size_t k = 0; k < fresh; ++k) found_new.insert(now[k].packed());
+    for (std::size_t k = 0; k < changes.fresh; ++k) found_new.insert(now[k].packed());
     for (const auto packed : expected_new) ASSERT_TRUE(found_new.contains(packed));
     if (neighbours <= 64) {
       ASSERT_EQ(found_new, expected_new);
