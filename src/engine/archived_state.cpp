@@ -131,7 +131,7 @@ Real Simulation<Dim, Real>::earliest_time() const {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::require_possible(std::int32_t i) const {
   const Real never = std::numeric_limits<Real>::infinity();
-  const NextMeetings<Real>& next = meetings_[static_cast<std::size_t>(i)];
+  const NextMeetings<Real>& next = meetings(i);
   for (const Meeting<Real>& meeting : {next.first(), next.second()}) {
     const bool is_with_nobody = !meeting.is_with_anybody() && meeting.time == never;
     const bool is_possible = meeting.time >= earliest_time() && meeting.time <= never &&  // no NaN

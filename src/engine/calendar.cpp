@@ -69,7 +69,7 @@ void Calendar<Real>::set_back(const Real& span) {
 template <class Real>
 void Calendar<Real>::end_cycle() {
   first_wait_ = end_of_waits_;
-  least_bin_ = std::numeric_limits<std::int32_t>::max();
+  least_bin_ = kNoBin;
   current_ = bins_ - 1;
   origin_ = -std::numeric_limits<Real>::infinity();
   bins_per_time_ = 1;
@@ -114,7 +114,11 @@ void Calendar<Real>::place(std::int32_t id) {
     heap_push(id);
   } else if (offset < bins_) {
     const auto bin = static_cast<std::int32_t>(offset);
-    bin <= current_ + soon_ ? put(id, bin) : wait(id, bin);
+    if (bin <= current_ + soon_) {
+      put(id, bin);
+    } else {
+      wait(id, bin);
+    }
   } else {
     event.place = kInNextCycle;
     ++in_next_cycle_;
@@ -148,7 +152,7 @@ void Calendar<Real>::end_wait() {
 template <class Real>
 void Calendar<Real>::end_waits() {
   while (first_wait_ != end_of_waits_) end_wait();
-  least_bin_ = std::numeric_limits<std::int32_t>::max();
+  least_bin_ = kNoBin;
 }
 
 template <class Real>

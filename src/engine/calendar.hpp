@@ -63,6 +63,7 @@ class Calendar {
   static constexpr std::int32_t kNowhere = -1;
   static constexpr std::int32_t kInNextCycle = -2;
   static constexpr std::int32_t kMostWaiting = 8;
+  static constexpr std::int32_t kNoBin = std::numeric_limits<std::int32_t>::max();
 
   struct Wait {
     std::int32_t id, bin;
@@ -111,7 +112,7 @@ class Calendar {
   std::array<Wait, kMostWaiting> waits_{};
   std::uint32_t first_wait_ = 0;  ///< counted on and on, as is the end
   std::uint32_t end_of_waits_ = 0;
-  std::int32_t least_bin_ = std::numeric_limits<std::int32_t>::max();  ///< of the bins waited for
+  std::int32_t least_bin_ = kNoBin;  ///< of the bins waited for
   Real origin_ = 0;
   Real bins_per_time_ = 0;
 };

@@ -41,6 +41,15 @@ std::size_t fitting_record(std::size_t head, double mean) {
   return (bytes + half_a_line - 1) / half_a_line * half_a_line;
 }
 
+/// Those of a list of which a set of bits does not say that they are kept.
+template <class Action>
+void for_each_gone(std::span<const Neighbour> list, std::uint64_t kept, Action action) {
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const bool is_kept = k < most_in_a_set && (kept >> k & 1) != 0;
+    if (!is_kept) action(list[k]);
+  }
+}
+
 }  // namespace
 
 NeighbourLists::NeighbourLists(std::int32_t spheres, double mean)
@@ -121,24 +130,10 @@ NeighbourLists::Changes NeighbourLists::changes(std::int32_t i, std::span<Neighb
   return changes;
 }
 
-namespace {
-
-/// Those of a list of which a set of bits does not say that they are kept.
-template <class Action>
-void for_each_gone(std::span<const Neighbour> list, std::uint64_t kept, Action action) {
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const bool is_kept = k < most_in_a_set && (kept >> k & 1) != 0;
-    if (!is_kept) action(list[k]);
-  }
-}
-
-}  // namespace
-
 void NeighbourLists::fetch(std::int32_t i, std::span<const Neighbour> now,
                            const Changes& changes) const {
   const auto fetch_list = [this](Neighbour neighbour) {
-    fetch_at_once(record(neighbour.sphere()));
-    fetch_at_once(record(neighbour.sphere() + 1) - 1);
+    for_each_line(neighbour.sphere(), fetch_at_once);
   };
   std::for_each_n(now.begin(), changes.fresh, fetch_list);
   for_each_gone(of(i), changes.kept, fetch_list);

@@ -94,8 +94,7 @@ class NeighbourLists {
 
   /// What will be read of the list of i, and its anchor.
   void add_to(FetchQueue& fetches, std::int32_t i) const {
-    fetches.add(record(i));
-    fetches.add(record(i + 1) - 1);
+    for_each_line(i, [&](const void* line) { fetches.add(line); });
   }
 
  private:
@@ -110,6 +109,12 @@ class NeighbourLists {
   }
   std::byte* record(std::int32_t i) {
     return const_cast<std::byte*>(std::as_const(*this).record(i));
+  }
+  /// The first and the last line of the cache in which a record lies: all, of 96 bytes.
+  template <class Action>
+  void for_each_line(std::int32_t i, Action action) const {
+    action(record(i));
+    action(record(i + 1) - 1);
   }
   const Head& head(std::int32_t i) const { return *reinterpret_cast<const Head*>(record(i)); }
   Head& head(std::int32_t i) { return *reinterpret_cast<Head*>(record(i)); }

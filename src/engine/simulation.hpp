@@ -210,6 +210,9 @@ class Simulation {
   }
 
   NextMeetings<Real>& meetings(std::int32_t i) { return meetings_[static_cast<std::size_t>(i)]; }
+  const NextMeetings<Real>& meetings(std::int32_t i) const {
+    return meetings_[static_cast<std::size_t>(i)];
+  }
 
   Spheres<Dim, Real> spheres_;
   ContactRules<Real> rules_;

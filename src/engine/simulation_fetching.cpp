@@ -89,7 +89,7 @@ void Simulation<Dim, Real>::fetch_partner(const Meeting<Real>& meeting) {
 
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::will_settle(std::int32_t i) const {
-  return calendar_.time(i) < meetings_[static_cast<std::size_t>(i)].first().time;
+  return calendar_.time(i) < meetings(i).first().time;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template void Simulation<Dim, Real>::fetch_ahead();
