@@ -88,11 +88,14 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   const Neighbour neighbour = this->neighbour(collision.i, collision.j);
   collision.gap_before = gap_at_last_change(collision.i, collision.j, neighbour);
 
-  now_.remainder = meeting.time;
-  collision.time = now_;
-  collision.flight = elapsed(last_collision_, now_, box().clock_unit());
+  const Real when = meeting.time;
+  now_.remainder = when;
+  // Not copies of now_: to read 16 bytes of which 8 have just been written takes a long wait.
+  collision.time = {now_.units, when};
+  collision.flight = elapsed(last_collision_, {now_.units, when}, box().clock_unit());
   collision.number = ++collisions_;
-  last_collision_ = last_change_ = now_;
+  last_collision_ = {now_.units, when};
+  last_change_ = {now_.units, when};
   if (const auto wall = this->wall(collision.j)) {
     bounce(collision, *wall);
   } else {
@@ -110,14 +113,18 @@ void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision, Neighbour neig
   auto& b = spheres_[collision.j];
   spheres_.advance(a, now_.remainder);
   spheres_.advance(b, now_.remainder);
-  const auto motion = spheres_.motion(collision.i, neighbour, now_.remainder);
+  const auto motion = spheres_.motion_as_stored(collision.i, neighbour, now_.remainder);
   collision.impact = impact(motion, rules_.restitution);
-  collision.change = collision.impact.normal * -collision.impact.impulse;
-  if (contact_physics_) contact_physics_->amend(collision, motion.dv);
+  Vector change = collision.impact.normal * -collision.impact.impulse;
+  collision.change = change;
+  if (contact_physics_) {
+    contact_physics_->amend(collision, motion.dv);
+    change = collision.change;
+  }
   const Vector velocity_a = a.velocity;
   const Vector velocity_b = b.velocity;
-  a.velocity += collision.change;
-  b.velocity -= collision.change;
+  a.velocity += change;
+  b.velocity -= change;
   collision.absorbed = a.velocity == velocity_a && b.velocity == velocity_b;
   ++a.collisions;
   ++b.collisions;

@@ -83,6 +83,14 @@ class Spheres {
   RelativeMotion<Dim, Real> motion(std::int32_t i, Neighbour neighbour, const Real& when) const {
     return motion_from(viewpoint(i, when), neighbour);
   }
+  /// The same, where both have been advanced to `when`.
+  RelativeMotion<Dim, Real> motion_as_stored(std::int32_t i, Neighbour neighbour,
+                                             const Real& when) const {
+    const Sphere& own = (*this)[i];
+    const Sphere& other = (*this)[neighbour.sphere()];
+    return in_image(neighbour, when,
+                    {other.position - own.position, other.velocity - own.velocity});
+  }
 
   /// The shortest of the periodic images of a way between two spheres at `when`, axis by axis.
   Vector shortest_image(Vector way, const Real& when) const;
@@ -181,11 +189,17 @@ class Spheres {
   RelativeMotion<Dim, Real> motion_from(const Viewpoint<Dim, Real>& viewpoint,
                                         Neighbour neighbour) const {
     const Sphere& other = (*this)[neighbour.sphere()];
-    Image<Dim, Real> image = images_[static_cast<std::size_t>(neighbour.way().code())];
-    image.position[0] += image.velocity * viewpoint.when;
-    RelativeMotion<Dim, Real> motion{
-        (position_at(other, viewpoint.when) - viewpoint.position) + image.position,
-        velocity_at(other, viewpoint.when) - viewpoint.velocity};
+    return in_image(neighbour, viewpoint.when,
+                    {position_at(other, viewpoint.when) - viewpoint.position,
+                     velocity_at(other, viewpoint.when) - viewpoint.velocity});
+  }
+  /// The motion of the image in which a neighbour is seen, from that of the neighbour itself.
+  RelativeMotion<Dim, Real> in_image(Neighbour neighbour, const Real& when,
+                                     RelativeMotion<Dim, Real> motion) const {
+    const auto& image = images_[static_cast<std::size_t>(neighbour.way().code())];
+    // Number by number: a moved image would be written in parts and read as a whole, with a wait.
+    motion.dr[0] += image.position[0] + image.velocity * when;
+    for (int axis = 1; axis < Dim; ++axis) motion.dr[axis] += image.position[axis];
     motion.dv[0] += image.velocity;
     return motion;
   }
