@@ -7,15 +7,7 @@
 namespace zenosphere {
 
 template <int Dim, class Real>
-void ArrestCriterion<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
-  if (is_met()) return;
-  const bool goes_on = stretch_start_ > 0 && collision.gap_before <= threshold_ &&
-                       !(elapsed(start_time_, collision.time, clock_unit_) > 0);
-  if (!goes_on) {
-    stretch_start_ = collision.number;
-    start_time_ = collision.time;
-    seen_.clear();
-  }
+void ArrestCriterion<Dim, Real>::go_on(const Collision<Dim, Real>& collision) {
   remember(collision);
   const bool is_long_enough = collision.number - stretch_start_ >= window_;
   if (is_long_enough && collision.number - newest_pair_ >= window_ / 2) conclude(collision);

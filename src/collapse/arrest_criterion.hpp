@@ -30,7 +30,12 @@ class ArrestCriterion {
   ArrestCriterion(double threshold, std::int64_t window, const Real& clock_unit)
       : threshold_(threshold), window_(window), clock_unit_(clock_unit) {}
 
-  void observe(const Collision<Dim, Real>& collision);
+  void observe(const Collision<Dim, Real>& collision) {
+    if (is_met()) return;
+    const bool goes_on = stretch_start_ > 0 && collision.gap_before <= threshold_ &&
+                         !(elapsed(start_time_, collision.time, clock_unit_) > 0);
+    goes_on ? go_on(collision) : begin(collision);
+  }
 
   bool is_met() const { return collision_.has_value(); }
   std::int64_t window() const { return window_; }
@@ -70,6 +75,14 @@ class ArrestCriterion {
     require_archived(pair.first >= 0 && pair.first < pair.second, "a pair that there is not");
   }
 
+  /// Begins a stretch: nearly every collision does.
+  void begin(const Collision<Dim, Real>& collision) {
+    stretch_start_ = newest_pair_ = collision.number;
+    start_time_ = collision.time;
+    seen_.resize(1);
+    seen_.front() = {{collision.i, collision.j}, collision.number};
+  }
+  void go_on(const Collision<Dim, Real>& collision);
   void remember(const Collision<Dim, Real>& collision);
   void conclude(const Collision<Dim, Real>& collision);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -22,12 +23,14 @@ class CollapseTime {
   explicit CollapseTime(const Real& clock_unit) : clock_unit_(clock_unit) {}
 
   void observe(const Collision<Dim, Real>& collision) {
+    using std::abs;
     const Real ratio = flight_ > 0 ? Real(collision.flight / flight_) : Real(0);
-    const Real change = ratio > ratio_ ? Real(ratio - ratio_) : Real(ratio_ - ratio);
+    const Real change = abs(Real(ratio - ratio_));
     flight_ = collision.flight;
     ratio_ = ratio;
     const Real shortest = 100000 * std::numeric_limits<Real>::epsilon() * clock_unit_;
-    const bool is_alike = flight_ > shortest && ratio > 0 && ratio < 1 && change <= ratio / 1000;
+    // First what seldom holds: the others do for every second flight, which no processor foresees.
+    const bool is_alike = change <= ratio / 1000 && flight_ > shortest && ratio > 0 && ratio < 1;
     alike_ = is_alike ? alike_ + 1 : 0;
     if (alike_ < kAlike) return;
     // At the end of a series rounding eats into the flights: what they told before was better.
