@@ -24,14 +24,24 @@ template <int Dim, class Real>
 void Measurements<Dim, Real>::observe(const Collision<Dim, Real>& collision,
                                       const Simulation<Dim, Real>& simulation) {
   start_averages(simulation, &collision);
-  for (const std::int32_t sphere : {collision.i, collision.j}) {
-    if (simulation.wall(sphere)) continue;
-    auto& start = flight_start_[static_cast<std::size_t>(sphere)];
-    add_flight(sums_, velocity_before(sphere, collision, simulation),
-               elapsed(start, collision.time, clock_unit_));
-    start = collision.time;
+  const Vector& change = collision.change;
+  end_flight(collision.i, simulation.peculiar_velocity(collision.i) - change, collision.time);
+  if (const auto wall = simulation.wall(collision.j)) {
+    add_wall_contact(collision, *wall, simulation);
+  } else {
+    end_flight(collision.j, simulation.peculiar_velocity(collision.j) + change, collision.time);
+    add_contact(collision);
   }
-  add_contact(collision, simulation);
+}
+
+/// Ends the flight of a sphere in a collision; its next one begins.
+template <int Dim, class Real>
+void Measurements<Dim, Real>::end_flight(std::int32_t sphere, const Vector& velocity,
+                                         const Instant<Real>& now) {
+  auto& start = flight_start_[static_cast<std::size_t>(sphere)];
+  const Real duration = elapsed(start, now, clock_unit_);
+  start = now;
+  add_flight(sums_, velocity, duration);
 }
 
 /// Notes the sums at `after_time`, once it has been reached.
@@ -44,26 +54,20 @@ void Measurements<Dim, Real>::start_averages(const Simulation<Dim, Real>& simula
   sums_before_ = sums;
 }
 
+/// Smooth spheres hand over momentum along the normal, those of a contact model also across it.
 template <int Dim, class Real>
-void Measurements<Dim, Real>::add_contact(const Collision<Dim, Real>& collision,
-                                          const Simulation<Dim, Real>& simulation) {
+void Measurements<Dim, Real>::add_contact(const Collision<Dim, Real>& collision) {
   const auto& impact = collision.impact;
-  const auto wall = simulation.wall(collision.j);
-  // Smooth spheres hand over momentum along the normal, those of a contact model also across it.
-  const Vector momentum = wall ? impact.normal * impact.impulse : collision.change * Real(-1);
-  for (int a = 0; a < Dim; ++a) {
-    for (int b = 0; b < Dim; ++b) {
-      sums_.collisional[static_cast<std::size_t>(a * Dim + b)] +=
-          impact.distance * impact.normal[a] * momentum[b];
-    }
-  }
-  sums_.normal_speed += impact.normal_speed;
-  ++sums_.collisions;
-  if (!wall) {
-    sums_.dissipation += impact.impulse * (impact.normal_speed - impact.impulse);
-    return;
-  }
-  const auto side = static_cast<std::size_t>(*wall);
+  add_transfer(impact, collision.change * Real(-1));
+  sums_.dissipation += impact.impulse * (impact.normal_speed - impact.impulse);
+}
+
+template <int Dim, class Real>
+void Measurements<Dim, Real>::add_wall_contact(const Collision<Dim, Real>& collision, int wall,
+                                               const Simulation<Dim, Real>& simulation) {
+  const auto& impact = collision.impact;
+  add_transfer(impact, impact.normal * impact.impulse);
+  const auto side = static_cast<std::size_t>(wall);
   const Vector after = simulation.peculiar_velocity(collision.i);
   const Real gain = dot(collision.change, after - collision.change * Real(0.5));
   const Real work = collision.change[0] * simulation.surroundings().walls->speed[side];
@@ -72,11 +76,26 @@ void Measurements<Dim, Real>::add_contact(const Collision<Dim, Real>& collision,
   sums_.dissipation += work - gain;
 }
 
+/// Adds what every contact hands over, from the first centre to the second.
+template <int Dim, class Real>
+void Measurements<Dim, Real>::add_transfer(const Impact<Dim, Real>& impact,
+                                           const Vector& momentum) {
+  const Vector arm = impact.normal * impact.distance;
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) {
+      sums_.collisional[static_cast<std::size_t>(a * Dim + b)] += arm[a] * momentum[b];
+    }
+  }
+  sums_.normal_speed += impact.normal_speed;
+  ++sums_.collisions;
+}
+
 /// Adds the integrals over a flight that ends with the given peculiar velocity.
 template <int Dim, class Real>
 void Measurements<Dim, Real>::add_flight(Sums& sums, const Vector& velocity_at_end,
                                          const Real& duration) const {
-  Vector change = acceleration_ * duration;
+  Vector change;
+  if (falls_) change = acceleration_ * duration;
   if constexpr (Dim > 1) {
     // v_y itself may change: over the flight its mean counts.
     change[0] -= shear_rate_ * (velocity_at_end[1] - change[1] / 2) * duration;

@@ -72,7 +72,11 @@ class Measurements {
 
   void start_averages(const Simulation<Dim, Real>& simulation,
                       const Collision<Dim, Real>* collision);
-  void add_contact(const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation);
+  void end_flight(std::int32_t sphere, const Vector& velocity, const Instant<Real>& now);
+  void add_contact(const Collision<Dim, Real>& collision);
+  void add_wall_contact(const Collision<Dim, Real>& collision, int wall,
+                        const Simulation<Dim, Real>& simulation);
+  void add_transfer(const Impact<Dim, Real>& impact, const Vector& momentum);
   void add_flight(Sums& sums, const Vector& velocity_at_end, const Real& duration) const;
   void add_flights_until(Sums& sums, const Instant<Real>& end,
                          const Simulation<Dim, Real>& simulation,
