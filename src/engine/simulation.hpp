@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -94,6 +95,15 @@ class Simulation {
   /// \param changes  one for each sphere, diameters/time
   void kick(const std::vector<Vector>& changes);
 
+  /// Has what an observer keeps of each sphere, in a row from `first` on, fetched ahead of the
+  /// collisions like what the engine needs itself. Only the speed depends on it.
+  ///
+  /// \param bytes  that it keeps of one sphere
+  void fetch_too(const void* first, std::size_t bytes) {
+    observed_ = static_cast<const std::byte*>(first);
+    observed_bytes_ = bytes;
+  }
+
   /// Predicts all events anew from where the spheres are: in a state promoted to more digits.
   void predict_anew() {
     for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
@@ -178,6 +188,7 @@ class Simulation {
   void fetch_surroundings(std::int32_t i);
   void fetch_neighbours(std::int32_t i);
   void fetch_partner(const Meeting<Real>& meeting);
+  void fetch_observed(std::int32_t i);
   bool will_settle(std::int32_t i) const;
 
   Collision<Dim, Real> next_with(std::int32_t i);
@@ -238,9 +249,11 @@ class Simulation {
     std::vector<std::int32_t> known;  ///< when their events come
     std::vector<std::int32_t> ready;  ///< their own state
   };
-  Soon soon_;  ///< these three change nothing but the speed
+  Soon soon_;  ///< from here on nothing but the speed changes
   FetchQueue fetches_;
   std::int32_t fetched_round_ = 0;
+  const std::byte* observed_ = nullptr;
+  std::size_t observed_bytes_ = 0;
 };
 
 }  // namespace zenosphere

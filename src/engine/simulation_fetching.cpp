@@ -75,8 +75,15 @@ void Simulation<Dim, Real>::fetch_neighbours(std::int32_t i) {
   if (will_settle(i) || !first.is_with_anybody()) return;
   if (is_stale(first) && second.is_with_anybody()) return fetch_partner(second);
   spheres_.add_neighbours_to(fetches_, i);
+  fetch_observed(i);
   if (is_stale(first) || wall(first.partner())) return;
   spheres_.add_neighbours_to(fetches_, first.partner());
+  fetch_observed(first.partner());
+}
+
+template <int Dim, class Real>
+void Simulation<Dim, Real>::fetch_observed(std::int32_t i) {
+  if (observed_) fetches_.add(observed_ + static_cast<std::size_t>(i) * observed_bytes_);
 }
 
 template <int Dim, class Real>

@@ -26,6 +26,11 @@ class Measurements {
   /// \param after_time  averages start here, in the case's time unit
   Measurements(const Simulation<Dim, Real>& simulation, double after_time);
 
+  /// Has what is kept of the spheres fetched ahead, from now on; only the speed depends on it.
+  void fetch_with(Simulation<Dim, Real>& simulation) const {
+    simulation.fetch_too(flight_start_.data(), sizeof flight_start_.front());
+  }
+
   /// To be called once after each collision, in order.
   void observe(const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation);
 

@@ -114,6 +114,7 @@ class Run final : public SteppedRun {
     last_second_ = stopwatch_.seconds() + piece.seconds;
     is_stopped_ = false;
     rows_.begin(rows);
+    observers_.measurements().fetch_with(simulation_);
   }
 
   bool is_piece_done() const { return is_stopped_ || simulation_.collisions() >= last_collision_; }
