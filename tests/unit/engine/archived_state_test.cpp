@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "engine/simulation.hpp"
 #include "engine/start.hpp"
@@ -99,6 +100,26 @@ TYPED_TEST(ArchivedState, SpheresThatFallBetweenWallsGoOnBitForBit) {
   surroundings.acceleration[axis] = Number(-0.3);
   surroundings.walls = Walls<Number>{.axis = axis, .restitution = Number(0.9)};
   this->expect_same_future(TypeParam::box(8, 0, true), OverlapRule::immediate, surroundings);
+}
+
+// One that goes on from an archive has fetched nothing yet, and is asked to fetch more.
+TEST(LargeSystem, WhatIsFetchedAheadLeavesNoTrace) {
+  using Gas = Simulation<3, double>;
+  constexpr std::int32_t spheres = 4 * 18 * 18 * 18;
+  static_assert(spheres > most_spheres_in_cache);
+  const double side = box_side<3>(spheres, 0.3);
+  const ShearBox<3, double> box({side, side, side}, 1);
+  const ContactRules<double> rules{.restitution = 0.9};
+  Gas gas(box, make_start<3>({.spheres = spheres, .granular_temperature = 1}, box), rules);
+  run(gas, 2 * spheres);
+  const Bytes bytes = archived(gas);
+  ArchiveReader archive(bytes);
+  Gas again(box, rules, {}, archive);
+  const std::vector<double> observed(spheres);
+  again.fetch_too(observed.data(), sizeof observed.front());
+  run(gas, 2 * spheres);
+  run(again, 2 * spheres);
+  EXPECT_EQ(archived(again), archived(gas));
 }
 
 class HostileState : public ::testing::Test {
