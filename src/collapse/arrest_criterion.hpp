@@ -34,7 +34,11 @@ class ArrestCriterion {
     if (is_met()) return;
     const bool goes_on = stretch_start_ > 0 && collision.gap_before <= threshold_ &&
                          !(elapsed(start_time_, collision.time, clock_unit_) > 0);
-    goes_on ? go_on(collision) : begin(collision);
+    if (goes_on) {
+      go_on(collision);
+    } else {
+      begin(collision);
+    }
   }
 
   bool is_met() const { return collision_.has_value(); }

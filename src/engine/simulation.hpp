@@ -96,7 +96,8 @@ class Simulation {
   void kick(const std::vector<Vector>& changes);
 
   /// Has what an observer keeps of each sphere, in a row from `first` on, fetched ahead of the
-  /// collisions like what the engine needs itself. Only the speed depends on it.
+  /// collisions like what the engine needs itself. Only the speed depends on it: nothing there is
+  /// read, and it may be gone.
   ///
   /// \param bytes  that it keeps of one sphere
   void fetch_too(const void* first, std::size_t bytes) {
