@@ -24,24 +24,23 @@ template <int Dim, class Real>
 void Measurements<Dim, Real>::observe(const Collision<Dim, Real>& collision,
                                       const Simulation<Dim, Real>& simulation) {
   start_averages(simulation, &collision);
-  const Vector& change = collision.change;
-  end_flight(collision.i, simulation.peculiar_velocity(collision.i) - change, collision.time);
+  end_flight(collision.i, collision, simulation);
   if (const auto wall = simulation.wall(collision.j)) {
     add_wall_contact(collision, *wall, simulation);
   } else {
-    end_flight(collision.j, simulation.peculiar_velocity(collision.j) + change, collision.time);
+    end_flight(collision.j, collision, simulation);
     add_contact(collision);
   }
 }
 
 /// Ends the flight of a sphere in a collision; its next one begins.
 template <int Dim, class Real>
-void Measurements<Dim, Real>::end_flight(std::int32_t sphere, const Vector& velocity,
-                                         const Instant<Real>& now) {
+void Measurements<Dim, Real>::end_flight(std::int32_t sphere, const Collision<Dim, Real>& collision,
+                                         const Simulation<Dim, Real>& simulation) {
   auto& start = flight_start_[static_cast<std::size_t>(sphere)];
-  const Real duration = elapsed(start, now, clock_unit_);
-  start = now;
-  add_flight(sums_, velocity, duration);
+  const Real duration = elapsed(start, collision.time, clock_unit_);
+  start = collision.time;
+  add_flight(sums_, velocity_before(sphere, collision, simulation), duration);
 }
 
 /// Notes the sums at `after_time`, once it has been reached.

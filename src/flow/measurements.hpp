@@ -77,7 +77,8 @@ class Measurements {
 
   void start_averages(const Simulation<Dim, Real>& simulation,
                       const Collision<Dim, Real>* collision);
-  void end_flight(std::int32_t sphere, const Vector& velocity, const Instant<Real>& now);
+  void end_flight(std::int32_t sphere, const Collision<Dim, Real>& collision,
+                  const Simulation<Dim, Real>& simulation);
   void add_contact(const Collision<Dim, Real>& collision);
   void add_wall_contact(const Collision<Dim, Real>& collision, int wall,
                         const Simulation<Dim, Real>& simulation);
