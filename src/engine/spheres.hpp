@@ -102,7 +102,7 @@ class Spheres {
   std::optional<FirstContacts<Real>> first_contacts(std::int32_t i,
                                                     std::span<const Neighbour> neighbours,
                                                     const Real& when, FetchQueue& fetches) const {
-    if constexpr (Dim == 3 && std::is_same_v<Real, double>) {
+    if constexpr (std::is_same_v<Real, double>) {
       if (lanes_are_wide_)
         return first_contacts_wide(spheres_.data(), neighbours, images_.data(), viewpoint(i, when),
                                    fetches);

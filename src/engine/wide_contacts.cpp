@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/wide_lanes.hpp"
+#include "model/instantiate.hpp"
 
 namespace zenosphere {
 
@@ -15,30 +16,38 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The same numbers of four things, side by side.
-struct Columns {
-  __m256d first, second, third, fourth;
-};
-ZENOSPHERE_WIDE inline Columns columns(const double* a, const double* b, const double* c,
-                                       const double* d) {
+/// Reads four numbers of each of four things, and puts the same number of all side by side.
+ZENOSPHERE_WIDE inline void read_columns(const double* a, const double* b, const double* c,
+                                         const double* d, __m256d* columns) {
   const __m256d low_ab = _mm256_unpacklo_pd(_mm256_loadu_pd(a), _mm256_loadu_pd(b));
   const __m256d high_ab = _mm256_unpackhi_pd(_mm256_loadu_pd(a), _mm256_loadu_pd(b));
   const __m256d low_cd = _mm256_unpacklo_pd(_mm256_loadu_pd(c), _mm256_loadu_pd(d));
   const __m256d high_cd = _mm256_unpackhi_pd(_mm256_loadu_pd(c), _mm256_loadu_pd(d));
-  return {
-      _mm256_permute2f128_pd(low_ab, low_cd, 0x20), _mm256_permute2f128_pd(high_ab, high_cd, 0x20),
-      _mm256_permute2f128_pd(low_ab, low_cd, 0x31), _mm256_permute2f128_pd(high_ab, high_cd, 0x31)};
+  columns[0] = _mm256_permute2f128_pd(low_ab, low_cd, 0x20);
+  columns[1] = _mm256_permute2f128_pd(high_ab, high_cd, 0x20);
+  columns[2] = _mm256_permute2f128_pd(low_ab, low_cd, 0x31);
+  columns[3] = _mm256_permute2f128_pd(high_ab, high_cd, 0x31);
 }
 
-ZENOSPHERE_WIDE inline __m256d dot(__m256d ax, __m256d ay, __m256d az, __m256d bx, __m256d by,
-                                   __m256d bz) {
-  return _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(ax, bx), _mm256_mul_pd(ay, by)),
-                       _mm256_mul_pd(az, bz));
-}
+/// The numbers of four spheres: positions, velocities and times.
+template <int Dim>
+struct FourSpheres {
+  static constexpr int numbers = 2 * Dim + 1;
+  __m256d columns[(numbers + 3) / 4 * 4];  // read four at a time; those behind count for nothing
 
-/// Where they are after their flight, seen from a place.
-ZENOSPHERE_WIDE inline __m256d apart(__m256d place, __m256d velocity, __m256d flight, double here) {
-  return _mm256_sub_pd(_mm256_add_pd(place, _mm256_mul_pd(velocity, flight)), _mm256_set1_pd(here));
+  ZENOSPHERE_WIDE __m256d position(int axis) const { return columns[axis]; }
+  ZENOSPHERE_WIDE __m256d velocity(int axis) const { return columns[Dim + axis]; }
+  ZENOSPHERE_WIDE __m256d time() const { return columns[2 * Dim]; }
+};
+
+/// Four dot products, each added up as dot() does.
+template <int Dim>
+ZENOSPHERE_WIDE inline __m256d dot(const __m256d (&a)[Dim], const __m256d (&b)[Dim]) {
+  __m256d sum = _mm256_mul_pd(a[0], b[0]);
+  for (int axis = 1; axis < Dim; ++axis) {
+    sum = _mm256_add_pd(sum, _mm256_mul_pd(a[axis], b[axis]));
+  }
+  return sum;
 }
 
 /// The least of four, in all lanes.
@@ -52,30 +61,38 @@ struct Approaches {
   __m256d b, v2, r2;
 };
 
-ZENOSPHERE_WIDE inline Approaches approaches(const Sphere<3, double>* spheres,
+template <int Dim>
+ZENOSPHERE_WIDE inline Approaches approaches(const Sphere<Dim, double>* spheres,
                                              const Neighbour* neighbours,
-                                             const Image<3, double>* images,
-                                             const Viewpoint<3, double>& from) {
+                                             const Image<Dim, double>* images,
+                                             const Viewpoint<Dim, double>& from) {
   const auto sphere = [&](std::size_t lane) {
     return reinterpret_cast<const double*>(spheres + neighbours[lane].sphere());
   };
   const auto image = [&](std::size_t lane) {
     return reinterpret_cast<const double*>(images + neighbours[lane].way().code());
   };
-  const auto [x, y, z, vx] = columns(sphere(0), sphere(1), sphere(2), sphere(3));
-  const auto [vy, vz, time, rest] =
-      columns(sphere(0) + 4, sphere(1) + 4, sphere(2) + 4, sphere(3) + 4);
-  const auto [sx, sy, sz, slide] = columns(image(0), image(1), image(2), image(3));
+  FourSpheres<Dim> four;
+  for (int k = 0; k < FourSpheres<Dim>::numbers; k += 4) {
+    read_columns(sphere(0) + k, sphere(1) + k, sphere(2) + k, sphere(3) + k, four.columns + k);
+  }
+  __m256d shift[4];  // along each axis, and behind them the velocity
+  read_columns(image(0), image(1), image(2), image(3), shift);
+  const __m256d slide = shift[Dim];
   const __m256d when = _mm256_set1_pd(from.when);
-  const __m256d flight = _mm256_sub_pd(when, time);
-  const __m256d dx = _mm256_add_pd(apart(x, vx, flight, from.position[0]),
-                                   _mm256_add_pd(sx, _mm256_mul_pd(slide, when)));
-  const __m256d dy = _mm256_add_pd(apart(y, vy, flight, from.position[1]), sy);
-  const __m256d dz = _mm256_add_pd(apart(z, vz, flight, from.position[2]), sz);
-  const __m256d du = _mm256_add_pd(_mm256_sub_pd(vx, _mm256_set1_pd(from.velocity[0])), slide);
-  const __m256d dv = _mm256_sub_pd(vy, _mm256_set1_pd(from.velocity[1]));
-  const __m256d dw = _mm256_sub_pd(vz, _mm256_set1_pd(from.velocity[2]));
-  return {dot(dx, dy, dz, du, dv, dw), dot(du, dv, dw, du, dv, dw), dot(dx, dy, dz, dx, dy, dz)};
+  const __m256d flight = _mm256_sub_pd(when, four.time());
+  shift[0] = _mm256_add_pd(shift[0], _mm256_mul_pd(slide, when));
+  __m256d dr[Dim];
+  __m256d dv[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    const __m256d velocity = four.velocity(axis);
+    const __m256d place = _mm256_add_pd(four.position(axis), _mm256_mul_pd(velocity, flight));
+    dr[axis] =
+        _mm256_add_pd(_mm256_sub_pd(place, _mm256_set1_pd(from.position[axis])), shift[axis]);
+    dv[axis] = _mm256_sub_pd(velocity, _mm256_set1_pd(from.velocity[axis]));
+  }
+  dv[0] = _mm256_add_pd(dv[0], slide);
+  return {dot(dr, dv), dot(dv, dv), dot(dr, dr)};
 }
 
 /// What may_touch() says of four: all bits of a lane, or none.
@@ -193,11 +210,10 @@ ZENOSPHERE_WIDE inline std::optional<FirstContacts<double>> first_of_all(
   return two;
 }
 
-}  // namespace
-
-ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts_wide(
-    const Sphere<3, double>* spheres, std::span<const Neighbour> neighbours,
-    const Image<3, double>* images, const Viewpoint<3, double>& from, FetchQueue& fetches) {
+template <int Dim>
+ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
+    const Sphere<Dim, double>* spheres, std::span<const Neighbour> neighbours,
+    const Image<Dim, double>* images, const Viewpoint<Dim, double>& from, FetchQueue& fetches) {
   const std::size_t size = neighbours.size();
   if (size > NumberedApproaches::most) return std::nullopt;
   NumberedApproaches approaches;
@@ -235,15 +251,33 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts_wide(
   return first_of_all(lanes, meetings, neighbours);
 }
 
+}  // namespace
+
 #else
 
-std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<3, double>*,
-                                                         std::span<const Neighbour>,
-                                                         const Image<3, double>*,
-                                                         const Viewpoint<3, double>&, FetchQueue&) {
-  return std::nullopt;
-}
+namespace {
+
+/// Not called: there are no wide lanes.
+std::optional<FirstContacts<double>> first_contacts(const auto&...) { return std::nullopt; }
+
+}  // namespace
 
 #endif
+
+template <int Dim>
+std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, double>* spheres,
+                                                         std::span<const Neighbour> neighbours,
+                                                         const Image<Dim, double>* images,
+                                                         const Viewpoint<Dim, double>& viewpoint,
+                                                         FetchQueue& fetches) {
+  return first_contacts(spheres, neighbours, images, viewpoint, fetches);
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim)                                                      \
+  template std::optional<FirstContacts<double>> first_contacts_wide(                     \
+      const Sphere<Dim, double>*, std::span<const Neighbour>, const Image<Dim, double>*, \
+      const Viewpoint<Dim, double>&, FetchQueue&);
+ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
 
 }  // namespace zenosphere

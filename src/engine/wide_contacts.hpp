@@ -18,10 +18,11 @@ namespace zenosphere {
 /// \param images      of each Way, at remainder 0
 /// \param fetches     some of which are fetched on the way
 /// \return nothing where it takes a look at each one: of overlaps, equal times, long lists
-std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<3, double>* spheres,
+template <int Dim>
+std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, double>* spheres,
                                                          std::span<const Neighbour> neighbours,
-                                                         const Image<3, double>* images,
-                                                         const Viewpoint<3, double>& viewpoint,
+                                                         const Image<Dim, double>* images,
+                                                         const Viewpoint<Dim, double>& viewpoint,
                                                          FetchQueue& fetches);
 
 }  // namespace zenosphere

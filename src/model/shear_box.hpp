@@ -23,9 +23,9 @@ inline constexpr double least_side(bool is_closed) {
 }
 
 /// A shift of position and velocity at once: what must be added to the stored coordinates of a
-/// sphere in one cell to see it from another cell.
+/// sphere in one cell to see it from another cell. In double, four numbers can be read of each.
 template <int Dim, class Real>
-struct Image {
+struct alignas(32) Image {
   Vec<Dim, Real> position;  ///< diameters
   Real velocity;            ///< along the flow direction x, diameters/time
 };

@@ -25,14 +25,17 @@ class Fingerprint {
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
+template <int Dim>
 std::uint64_t fingerprint_of(Arrangement arrangement, double restitution) {
-  const double side = box_side<3>(500, 0.3);
-  const auto start = make_start<3>(
+  Vec<Dim, double> sides;
+  for (int axis = 0; axis < Dim; ++axis) sides[axis] = box_side<Dim>(500, 0.3);
+  const auto start = make_start<Dim>(
       {.arrangement = arrangement, .spheres = 500, .granular_temperature = 0.1, .seed = 3},
-      ShearBox<3, double>({side, side, side}, 0));
-  Simulation<3, double> simulation(ShearBox<3, double>({side, side, side}, 1), start,
-                                   {restitution});
-  Measurements<3, double> measurements(simulation, 0);
+      ShearBox<Dim, double>(sides, 0));
+  const double shear_rate = Dim > 1 ? 1 : 0;
+  Simulation<Dim, double> simulation(ShearBox<Dim, double>(sides, shear_rate), start,
+                                     {restitution});
+  Measurements<Dim, double> measurements(simulation, 0);
   Fingerprint fingerprint;
   while (simulation.collisions() < 20000) {
     const auto collision = simulation.next_collision(1e9);
@@ -51,7 +54,10 @@ std::uint64_t fingerprint_of(Arrangement arrangement, double restitution) {
 }  // namespace
 
 int main() {
-  std::printf("%016" PRIx64 " %016" PRIx64 "\n", fingerprint_of(Arrangement::random, 0.9),
-              fingerprint_of(Arrangement::fcc, 0.4));
+  for (const std::uint64_t fingerprint :
+       {fingerprint_of<3>(Arrangement::random, 0.9), fingerprint_of<3>(Arrangement::fcc, 0.4),
+        fingerprint_of<2>(Arrangement::random, 0.9), fingerprint_of<1>(Arrangement::random, 1)}) {
+    std::printf("%016" PRIx64 "\n", fingerprint);
+  }
   return 0;
 }

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "engine/next_meetings.hpp"
@@ -18,24 +20,29 @@ namespace {
 /// Same bits: -0 differs from 0.
 bool are_same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
+template <class Dimension>
 class WideContacts : public ::testing::Test {
  protected:
+  static constexpr int Dim = Dimension::value;
+
   void SetUp() override {
     if (!has_wide_lanes()) GTEST_SKIP() << "no AVX2 here";
-    for (auto& image : images) {
-      image = {{{dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)}},
-               dice.between(-1, 1)};
-    }
+    for (auto& image : images) image = {some_vector(1), dice.between(-1, 1)};
+    constexpr std::array<double, 3> spread{20, 5, 1.5};  // so that some overlap, and most do not
     for (int i = 0; i < 40; ++i) {
-      Sphere<3, double> sphere{};
-      for (int axis = 0; axis < 3; ++axis) {
-        sphere.position[axis] = dice.between(-1.5, 1.5);
-        sphere.velocity[axis] = dice.between(-1, 1);
-      }
+      Sphere<Dim, double> sphere{};
+      sphere.position = some_vector(spread[Dim - 1]);
+      sphere.velocity = some_vector(1);
       sphere.time = dice.between(0, 1);
       spheres.push_back(sphere);
     }
     for (int i = 0; i < 20; ++i) spheres.push_back(spheres[static_cast<std::size_t>(3 + i)]);
+  }
+
+  Vec<Dim, double> some_vector(double largest) {
+    Vec<Dim, double> vector;
+    for (int axis = 0; axis < Dim; ++axis) vector[axis] = dice.between(-largest, largest);
+    return vector;
   }
 
   /// Of any spheres, some of which have the very same motion; with three to spare.
@@ -57,38 +64,42 @@ class WideContacts : public ::testing::Test {
   /// What contact() says of a neighbour.
   std::optional<Contact<double>> contact_with(Neighbour neighbour) const {
     const auto& sphere = spheres[static_cast<std::size_t>(neighbour.sphere())];
-    Image<3, double> image = images[static_cast<std::size_t>(neighbour.way().code())];
+    Image<Dim, double> image = images[static_cast<std::size_t>(neighbour.way().code())];
     image.position[0] += image.velocity * here.when;
     const auto place = sphere.position + sphere.velocity * (here.when - sphere.time);
-    RelativeMotion<3, double> motion{(place - here.position) + image.position,
-                                     sphere.velocity - here.velocity};
+    RelativeMotion<Dim, double> motion{(place - here.position) + image.position,
+                                       sphere.velocity - here.velocity};
     motion.dv[0] += image.velocity;
     return contact(approach(motion));
   }
 
   support::Dice dice{11};
-  std::vector<Image<3, double>> images = std::vector<Image<3, double>>(Way::count);
-  std::vector<Sphere<3, double>> spheres;
-  Viewpoint<3, double> here{{{0.1, 0.2, -0.3}}, {{0.4, -0.1, 0.2}}, 1.25};
+  std::vector<Image<Dim, double>> images = std::vector<Image<Dim, double>>(Way::count);
+  std::vector<Sphere<Dim, double>> spheres;
+  Viewpoint<Dim, double> here{some_vector(0.4), some_vector(0.4), 1.25};
 };
 
-TEST_F(WideContacts, AreThoseOfOneByOneBitForBit) {
+using Dimensions = ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
+                                    std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(WideContacts, Dimensions);
+
+TYPED_TEST(WideContacts, AreThoseOfOneByOneBitForBit) {
   int answers = 0;
   int overlaps = 0;
   int left_open = 0;
   for (int n = 0; n < 20000; ++n) {
-    const std::vector<Neighbour> neighbours = some_neighbours(dice.below(23));
+    const std::vector<Neighbour> neighbours = this->some_neighbours(this->dice.below(23));
     NextMeetings<double> expected;
     int meetings = 0;
     bool overlapping = false;
     for (const Neighbour neighbour : std::span(neighbours).first(neighbours.size() - 3)) {
-      const auto contact = contact_with(neighbour);
+      const auto contact = this->contact_with(neighbour);
       if (!contact) continue;
       ++meetings;
       overlapping |= contact->overlapping;
-      expected.add({here.when + contact->time, neighbour.sphere(), 0, false});
+      expected.add({this->here.when + contact->time, neighbour.sphere(), 0, false});
     }
-    const auto two = found(neighbours);
+    const auto two = this->found(neighbours);
     overlaps += overlapping ? 1 : 0;
     ASSERT_FALSE(overlapping && two);
     left_open += !overlapping && !two ? 1 : 0;
@@ -105,24 +116,27 @@ TEST_F(WideContacts, AreThoseOfOneByOneBitForBit) {
   EXPECT_GT(left_open, 50);  // by equal times
 }
 
-TEST_F(WideContacts, LeaveLongListsAlone) {
-  for (auto& sphere : spheres) sphere.position += Vec<3, double>{{5, 5, 5}};  // nobody overlaps
-  EXPECT_TRUE(found(some_neighbours(60)));
-  EXPECT_FALSE(found(some_neighbours(61)));
+TYPED_TEST(WideContacts, LeaveLongListsAlone) {
+  for (auto& sphere : this->spheres) {  // all are far away, and part
+    sphere.position[0] += 100;
+    sphere.velocity[0] += 5;
+  }
+  EXPECT_TRUE(this->found(this->some_neighbours(60)));
+  EXPECT_FALSE(this->found(this->some_neighbours(61)));
 }
 
-TEST_F(WideContacts, OfNobodyAreNone) {
-  const auto two = found(some_neighbours(0));
+TYPED_TEST(WideContacts, OfNobodyAreNone) {
+  const auto two = this->found(this->some_neighbours(0));
   ASSERT_TRUE(two);
   EXPECT_EQ(two->meetings, 0);
   EXPECT_EQ(two->first, -1);
   EXPECT_EQ(two->second, -1);
 }
 
-TEST_F(WideContacts, LeaveAloneWhatIsNoNumber) {
-  const auto neighbours = some_neighbours(20);
-  here.position[0] = std::numeric_limits<double>::quiet_NaN();
-  const auto nowhere = found(neighbours);
+TYPED_TEST(WideContacts, LeaveAloneWhatIsNoNumber) {
+  const auto neighbours = this->some_neighbours(20);
+  this->here.position[0] = std::numeric_limits<double>::quiet_NaN();
+  const auto nowhere = this->found(neighbours);
   EXPECT_TRUE(!nowhere || nowhere->meetings == 0);
 }
 
