@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -13,6 +14,7 @@
 #include "engine/fetch_queue.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
+#include "engine/rough_viewpoint.hpp"
 #include "engine/settling.hpp"
 #include "engine/sliding_cells.hpp"
 #include "engine/sphere.hpp"
@@ -114,7 +116,12 @@ class Spheres {
   void find_contacts(std::int32_t i, std::span<const Neighbour> neighbours, const Real& when,
                      ContactsAhead<Real>& ahead) const {
     const Viewpoint<Dim, Real> here = viewpoint(i, when);
+    const RoughViewpoint<Dim> roughly(here);
     for (const Neighbour neighbour : neighbours) {
+      if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<long double>::digits) {
+        const auto& image = images_[static_cast<std::size_t>(neighbour.way().code())];
+        if (!falls_ && roughly.misses((*this)[neighbour.sphere()], image)) continue;
+      }
       const auto contact = zenosphere::contact(motion_from(here, neighbour));
       if (contact) ahead.add(neighbour.sphere(), *contact);
     }
