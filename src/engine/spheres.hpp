@@ -60,7 +60,8 @@ class Spheres {
   const ShearBox<Dim, Real>& box() const { return box_; }
   const Vector& acceleration() const { return acceleration_; }
 
-  Vector position_at(const Sphere& sphere, const Real& when) const {
+  /// Inlined also where GCC has no room left for it: every prediction calls it.
+  [[gnu::always_inline]] Vector position_at(const Sphere& sphere, const Real& when) const {
     const Real flight = when - sphere.time;
     Vector position = sphere.position + sphere.velocity * flight;
     if (falls_) position += acceleration_ * (flight * flight / 2);

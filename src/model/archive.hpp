@@ -83,6 +83,10 @@ inline Parts parts_of(const Digits100& value) {
     return parts;
   }
   Digits100 rest = frexp(abs(value), &parts.exponent);
+  if (rest > 0 && rest < 0.5) {  // Boost goes by the nearest double, which may be a power of two
+    rest *= 2;
+    --parts.exponent;
+  }
   for (std::uint32_t& word : parts.words) {  // exact: only whole bits are taken away
     rest = ldexp(rest, 32);
     word = static_cast<std::uint32_t>(rest);

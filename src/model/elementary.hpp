@@ -16,7 +16,7 @@ Real fifth_root(const Real& x) {
   using std::ldexp;
   if (!(x > 0)) return Real(0);
   int exponent = 0;
-  Real rest = frexp(x, &exponent);  // in [1/2, 1)
+  Real rest = frexp(x, &exponent);  // in [1/2, 1); Boost's may be a hair below
   for (; exponent % 5 != 0; --exponent) rest *= 2;
   Real root = 2;  // above every root of a number below 2^5
   for (;;) {

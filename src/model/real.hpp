@@ -1,7 +1,7 @@
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/float128.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <charconv>
 #include <cstdio>
 #include <limits>
@@ -11,10 +11,13 @@
 namespace zenosphere {
 
 /// The number types of the engine beside `double`: the precision ladder.
-using Extended = long double;                     ///< 64-bit significand
-using Quad = boost::multiprecision::float128;     ///< 113-bit significand
-using Digits100 = boost::multiprecision::number<  ///< 100 decimal digits, 334-bit significand
-    boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+using Extended = long double;                  ///< 64-bit significand
+using Quad = boost::multiprecision::float128;  ///< 113-bit significand
+
+/// 100 decimal digits, 334-bit significand, by MPFR.
+using Digits100 = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<100, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
 
 /// The number that the shortest decimal text of `value` means, in the precision of Real.
 ///

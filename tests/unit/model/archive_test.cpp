@@ -54,6 +54,13 @@ TYPED_TEST(ArchivedNumber, KeepsTheSignOfZeroAndWhatIsNoNumber) {
   EXPECT_TRUE(isnan(restored<Real>(archived(std::numeric_limits<Real>::quiet_NaN()))));
 }
 
+TEST(Archive, HasOneFormOfANumberAlsoJustBelowAPowerOfTwo) {
+  const Digits100 below_one = 1 - std::numeric_limits<Digits100>::epsilon() / 2;
+  const Bytes bytes = archived(below_one);
+  EXPECT_EQ(Bytes(bytes.begin() + 2, bytes.begin() + 6),
+            archived(std::int32_t{0}));  // the exponent
+}
+
 TEST(Archive, NumbersTakeTheBytesOfTheirSignificantDigits) {
   EXPECT_EQ(archived(1.5).size(), 8u);
   EXPECT_EQ(archived(Extended(1.5)).size(), 10u);
