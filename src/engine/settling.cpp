@@ -13,6 +13,15 @@ namespace zenosphere {
 
 namespace {
 
+/// How far a sphere flies between two collisions in a thin gas, diameters.
+///
+/// \param share  volume for each sphere, diameters^dimension
+/// Source: Chapman & Cowling, The Mathematical Theory of Non-Uniform Gases (1970), sec. 5.21.
+double mean_free_path(double share, int dimension) {
+  constexpr std::array<double, 3> cross_sections{1, 2, std::numbers::pi};
+  return share / (std::numbers::sqrt2 * cross_sections[static_cast<std::size_t>(dimension - 1)]);
+}
+
 /// How far apart anchors on one list may be, diameters. Where the spheres of a dilute system crowd
 /// together the lists have to hold them: some 400 that are packed closely.
 double most_width(int dimension) {
@@ -54,6 +63,9 @@ Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   constexpr std::array<double, 3> unit_balls{2, std::numbers::pi, 4 * std::numbers::pi / 3};
   settling.neighbours = spheres / static_cast<double>(box.volume()) *
                         unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(width, Dim);
+  constexpr std::int32_t many = 100;  // fewer are fast anyway, and keep the digits that they have
+  const double free_path = mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
+  settling.is_dilute = spheres >= many && free_path > 2 * settling.reach;
   return settling;
 }
 

@@ -13,6 +13,7 @@ struct Settling {
   double distance;    ///< of anchors, diameters: spheres further apart cannot touch
   double window;      ///< time; infinite without shear
   double neighbours;  ///< on a list, where the spheres are spread evenly
+  bool is_dilute;     ///< many spheres, most of which fly through their balls and meet nobody there
 };
 
 /// What suits so many spheres in a box that is cut into cells. Two spheres that may touch have

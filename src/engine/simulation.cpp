@@ -182,7 +182,8 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::settle(std::int32_t i) {
   ++settlings_;
   now_.remainder = std::max(now_.remainder, calendar_.time(i));
-  predict_new(i, spheres_.settle(i, now_.remainder, fetches_));
+  const Real& meeting = meetings(i).first().time;
+  predict_new(i, spheres_.settle(i, now_.remainder, meeting, fetches_));
 }
 
 /// Sets the clock and all times back by whole units; the layers slide by as many cells.

@@ -66,7 +66,7 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
     sphere.cell = cells_.index(coordinates);
     sphere.velocity = start.velocities[static_cast<std::size_t>(i)];
     sphere.velocity[0] += profile_in_layer(sphere, 0);
-    drop_anchor(i, 0);
+    drop_anchor(i, 0, {});
     anchor_cells_.insert(i, sphere.cell, anchor(i));
   }
 }
@@ -201,7 +201,7 @@ Configuration<Dim, Real> Spheres<Dim, Real>::configuration(std::int64_t units,
   state.velocities.reserve(spheres_.size());
   for (Sphere sphere : spheres_) {
     advance(sphere, when);
-    go_home(sphere, when);
+    go_home(sphere, when, {});
     Vector position = sphere.position;
     if constexpr (Dim > 1) {
       // The frame of layer k moves with its mid-plane; the middle of the box is at rest.

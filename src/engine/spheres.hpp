@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -30,11 +31,11 @@ namespace zenosphere {
 /// Every sphere is stored as it was at its own last event; `when` is always a remainder of the
 /// clock. Positions are box coordinates, x in the frame of the sphere's layer.
 ///
-/// A sphere is *settled* now and then: it gets the cell it is in, an anchor where it is, and a list
-/// of all who can touch it while both stay within reach of their anchors. When it leaves that ball,
-/// or the layers have slid on by half a cell, it has to be settled again. Until then cell and frame
-/// stay, also where the sphere is already a little outside. Nothing in here knows about
-/// collisions or the order of events.
+/// A sphere is *settled* now and then: it gets an anchor where it is, or somewhat ahead, the cell
+/// of the anchor, and a list of all who can touch it while both stay within reach of their anchors.
+/// When it leaves that ball, or the layers have slid on by half a cell, it has to be settled again.
+/// Until then cell and frame stay, also where the sphere is a little outside. Nothing in here knows
+/// about collisions or the order of events.
 ///
 /// Source: neighbour lists in event-driven dynamics: Donev, Torquato & Stillinger, J. Comput. Phys.
 /// 202 (2005) 737. That each is renewed alone, and the frames that slide, are ours.
@@ -152,10 +153,13 @@ class Spheres {
   /// that it is after it.
   Real unsettled_at(std::int32_t i, const Real& when, const Real& until) const;
 
-  /// Settles a sphere where it is at `when`; some of `fetches` are fetched on the way.
+  /// Settles a sphere at `when`.
   ///
+  /// \param meeting  when it will meet somebody, as far as is known: where its anchor should be
+  /// \param fetches  some of which are fetched on the way
   /// \return  its new neighbours
-  std::span<const Neighbour> settle(std::int32_t i, const Real& when, FetchQueue& fetches);
+  std::span<const Neighbour> settle(std::int32_t i, const Real& when, const Real& meeting,
+                                    FetchQueue& fetches);
 
   /// Sets the clock of all spheres back by `span`; under shear that is one clock unit, and the
   /// layers have slid by one more cell.
@@ -179,15 +183,18 @@ class Spheres {
  private:
   Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Real>& box, const Vector& acceleration);
   void place(const Configuration<Dim, Real>& start);
-  void drop_anchor(std::int32_t i, const Real& when);
+  Vector way_to_anchor(const Vector& velocity, const Real& flight) const;
+  void drop_anchor(std::int32_t i, const Real& when, const Vector& ahead);
   Vector corner(std::int32_t cell) const;
-  bool go_home(Sphere& sphere, const Real& when) const;
+  bool go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
   std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when, FetchQueue& fetches);
   double slid_columns(const Real& when) const;
   typename SlidingCells<Dim>::Reach columns_within_reach(std::int32_t i, double slid) const;
   void find_images();
   Real time_in_ball(const Vector& away, const Vector& velocity) const;
   Real time_in_cube(const Vector& away, const Vector& velocity) const;
+  /// Half the side of the cube inside the ball that is within reach, diameters.
+  double reach_along_axes() const { return settling_.reach / std::sqrt(double{Dim}); }
   Neighbour nearest_image(std::int32_t i, std::int32_t j, const Real& when) const;
   Real square(std::int32_t i, Neighbour neighbour, const Real& when) const;
   void require_possible(const Sphere& sphere) const;

@@ -69,7 +69,7 @@ Real Spheres<Dim, Real>::time_in_ball(const Vector& away, const Vector& velocity
 /// Time until a falling sphere leaves the cube inside that ball.
 template <int Dim, class Real>
 Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity) const {
-  const Real half = Real(settling_.reach / std::sqrt(static_cast<double>(Dim)));
+  const Real half = Real(reach_along_axes());
   Real first = std::numeric_limits<Real>::infinity();
   for (int axis = 0; axis < Dim; ++axis) {
     for (const int direction : {-1, 1}) {
@@ -84,15 +84,16 @@ Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity
 
 template <int Dim, class Real>
 std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real& when,
-                                                      FetchQueue& fetches) {
+                                                      const Real& meeting, FetchQueue& fetches) {
   Sphere& sphere = (*this)[i];
   anchor_cells_.remove(i, sphere.cell);
-  if (go_home(sphere, when)) {
+  const Vector ahead = way_to_anchor(velocity_at(sphere, when), meeting - when);
+  if (go_home(sphere, when, ahead)) {
     // Every way now leads elsewhere. In a narrow box, with several ways to one neighbour, one that
     // is known could pass for another one that is new.
     lists_.replace(i, {}, lists_.changes(i, {}));
   }
-  drop_anchor(i, when);
+  drop_anchor(i, when, ahead);
   const std::span<Neighbour> neighbours = neighbours_of(i, when, fetches);
   const NeighbourLists::Changes changes = lists_.changes(i, neighbours);
   const std::span<const Neighbour> fresh = neighbours.first(changes.fresh);
@@ -105,9 +106,26 @@ std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real
   return fresh;
 }
 
+/// How far ahead of a sphere its anchor lies. In a dilute system that is where it is going to meet
+/// somebody, unless it leaves its ball before: it flies straight until then, and stays in the ball
+/// up to twice as long as if that were around the place where it is settled.
+///
+/// \param flight  time until the meeting; infinity: there is none
 template <int Dim, class Real>
-void Spheres<Dim, Real>::drop_anchor(std::int32_t i, const Real& when) {
-  const Vector place = position_at((*this)[i], when);
+Vec<Dim, Real> Spheres<Dim, Real>::way_to_anchor(const Vector& velocity, const Real& flight) const {
+  using std::sqrt;
+  if (!settling_.is_dilute) return {};
+  constexpr double share = 0.9;  // of the way to the edge, which rounding must not take it over
+  const Real v2 = dot(velocity, velocity);
+  if (!(v2 > 0)) return {};
+  const Real longest = Real(share * (falls_ ? reach_along_axes() : settling_.reach)) / sqrt(v2);
+  return velocity * std::clamp(flight, Real(0), longest);
+}
+
+/// \param ahead  from where the sphere is at `when` to its anchor
+template <int Dim, class Real>
+void Spheres<Dim, Real>::drop_anchor(std::int32_t i, const Real& when, const Vector& ahead) {
+  const Vector place = position_at((*this)[i], when) + ahead;
   const Vector corner = this->corner((*this)[i].cell);
   for (int axis = 0; axis < Dim; ++axis) {
     const double grains = static_cast<double>(place[axis] - corner[axis]) / settling_.grain;
@@ -128,13 +146,14 @@ Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t cell) const {
   return corner;
 }
 
-/// Gives a sphere the cell in which it is at `when`, and the frame of that cell's layer. It stays
-/// stored for the time for which it was: only where it has left its layer or the box is it rounded.
+/// Gives a sphere the cell of the place `ahead` of where it is at `when`, and the frame of that
+/// cell's layer. It stays stored for the time for which it was: only where it is given another
+/// layer or image of the box is it rounded.
 ///
-/// \return  whether it has
+/// \return  whether it is
 template <int Dim, class Real>
-bool Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when) const {
-  const Vector position = position_at(sphere, when);
+bool Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector& ahead) const {
+  const Vector position = position_at(sphere, when) + ahead;
   const Vector& width = box_.cell_width();
   const Steps<Dim> old = cells_.coordinates(sphere.cell);
   Steps<Dim> home{};
@@ -241,14 +260,14 @@ void Spheres<Dim, Real>::set_back(const Real& span) {
   find_images();
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                       \
-  template Real Spheres<Dim, Real>::unsettled_at(std::int32_t, const Real&, const Real&) const; \
-  template std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t, const Real&,     \
-                                                                 FetchQueue&);                  \
-  template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&);                     \
-  template bool Spheres<Dim, Real>::go_home(Sphere&, const Real&) const;                        \
-  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&,    \
-                                                                  FetchQueue&);                 \
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                          \
+  template Real Spheres<Dim, Real>::unsettled_at(std::int32_t, const Real&, const Real&) const;    \
+  template std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t, const Real&,        \
+                                                                 const Real&, FetchQueue&);        \
+  template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&, const Vec<Dim, Real>&); \
+  template bool Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) const;    \
+  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&,       \
+                                                                  FetchQueue&);                    \
   template void Spheres<Dim, Real>::set_back(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

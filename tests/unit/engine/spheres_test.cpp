@@ -74,18 +74,68 @@ TEST(Spheres, ListWhomTheyCanTouch) {
   }
 }
 
+/// Rods that fly on together at a speed of 2, so far apart, around a ring.
+class FlyingRods {
+ public:
+  FlyingRods(int count, double apart)
+      : box({count * apart}, 0, 3),
+        settling(settling_in(box, count)),
+        rods(box, start(count), {}) {}
+
+  double unsettled_at(std::int32_t i, double when) const {
+    return rods.unsettled_at(i, when, never);
+  }
+  void settle(std::int32_t i, double when, double meeting) {
+    FetchQueue nothing;
+    rods.settle(i, when, meeting, nothing);
+  }
+
+  const ShearBox<1, double> box;
+  const Settling settling;
+  Spheres<1, double> rods;
+
+ private:
+  Configuration<1, double> start(int count) const {
+    Configuration<1, double> start;
+    for (int i = 0; i < count; ++i) {
+      start.positions.push_back({{1 + i * box.sides()[0] / count}});
+      start.velocities.push_back({{2}});
+    }
+    return start;
+  }
+};
+
 TEST(Spheres, HaveToBeSettledAgainWhereTheyLeaveTheirBall) {
-  const ShearBox<1, double> box({30}, 0, 3);
-  const double reach = settling_in(box, 10).reach;
-  const Configuration<1, double> start{{{1}, {4}, {7}, {10}, {13}, {16}, {19}, {22}, {25}, {28}},
-                                       std::vector<Vec<1, double>>(10, {{2}})};
-  Spheres<1, double> spheres(box, start, {});
-  FetchQueue nothing;
-  EXPECT_NEAR(spheres.unsettled_at(0, 0, never), reach / 2, 1e-3);
-  spheres.settle(9, 1.2, nothing);  // 28 + 2.4 is through the face
-  EXPECT_NEAR(spheres.position_at(spheres[9], 1.2)[0], 0.4, 1e-14);
-  EXPECT_EQ(spheres[9].position[0], -2);  // stored for time 0, as before
-  EXPECT_NEAR(spheres.unsettled_at(9, 1.2, never), 1.2 + reach / 2, 1e-3);
+  FlyingRods ring(20, 1.5);
+  const double reach = ring.settling.reach;
+  EXPECT_NEAR(ring.unsettled_at(0, 0), reach / 2, 1e-3);
+  ring.settle(19, 1.2, never);  // 29.5 + 2.4 is through the face
+  EXPECT_NEAR(ring.rods.position_at(ring.rods[19], 1.2)[0], 1.9, 1e-14);
+  EXPECT_EQ(ring.rods[19].position[0], -0.5);  // stored for time 0, as before
+  EXPECT_NEAR(ring.unsettled_at(19, 1.2), 1.2 + reach / 2, 1e-3);
+}
+
+TEST(Spheres, StayInTheirBallForLongerWhereTheyAreManyAndFarApart) {
+  FlyingRods ring(100, 6);
+  ASSERT_TRUE(ring.settling.is_dilute);
+  const double reach = ring.settling.reach;
+  // Through the middle of the ball, if there is nobody; else to where they meet, and no further.
+  ring.settle(2, 1.2, never);
+  EXPECT_NEAR(ring.unsettled_at(2, 1.2), 1.2 + 1.9 * reach / 2, 1e-3);
+  ring.settle(2, 1.2, 1.3);
+  EXPECT_NEAR(ring.unsettled_at(2, 1.2), 1.3 + reach / 2, 1e-3);
+  ring.settle(2, 1.2, 1.1);  // a meeting that is late by rounding
+  EXPECT_NEAR(ring.unsettled_at(2, 1.2), 1.2 + reach / 2, 1e-3);
+  EXPECT_FALSE(FlyingRods(99, 6).settling.is_dilute);
+  EXPECT_FALSE(FlyingRods(100, 1.5).settling.is_dilute);
+}
+
+TEST(Spheres, BelongToTheCellOfTheirAnchor) {
+  FlyingRods ring(100, 6);
+  ring.settle(99, 2.2, never);  // at 599.4, and soon through the face
+  EXPECT_EQ(ring.rods[99].cell, 0);
+  EXPECT_NEAR(ring.rods.position_at(ring.rods[99], 2.2)[0], -0.6, 1e-12);
+  EXPECT_NEAR(ring.rods.configuration(0, 2.2).positions[99][0], 599.4, 1e-12);
 }
 
 TEST(Spheres, AreSettledAnewHalfAUnitOfShearLater) {
