@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "engine/simulation.hpp"
 #include "model/instantiate.hpp"
@@ -31,7 +32,9 @@ void Simulation<Dim, Real>::fetch_ahead() {
 /// what to fetch in the next.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::fetch_round(std::int32_t round) {
-  auto& [found, known, ready] = soon_;
+  std::vector<std::int32_t>& found = soon_.found;
+  std::vector<std::int32_t>& known = soon_.known;
+  std::vector<std::int32_t>& ready = soon_.ready;
   for (const std::int32_t i : ready) fetch_neighbours(i);
   for (const std::int32_t i : known) fetch_surroundings(i);
   ready.clear();
