@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/digits_parts.hpp"
 #include "model/real.hpp"
 
 /// States as bytes, and back without a bit lost: what checkpoints are made of.
@@ -58,56 +59,12 @@ namespace archive_detail {
 static_assert(std::endian::native == std::endian::little);
 
 inline constexpr std::size_t extended_bytes = 10;  // of the 16 that a long double is stored in
-inline constexpr int digits_words = 11;            // of 32 bits: 334 are needed
 inline constexpr int digits_exponent_limit = 1 << 30;
 
 /// Numbers whose bytes in memory are their bytes in an archive.
 template <class T>
 concept Plain = (std::integral<T> && !std::same_as<T, bool>) || std::same_as<T, double> ||
                 std::same_as<T, float>;
-
-enum class NumberKind : std::uint8_t { finite, infinite, not_a_number };
-
-/// A Digits100 taken apart: (-1)^negative x 0.words x 2^exponent.
-struct Parts {
-  NumberKind kind = NumberKind::finite;
-  bool negative = false;
-  std::int32_t exponent = 0;
-  std::array<std::uint32_t, digits_words> words{};
-};
-
-inline Parts parts_of(const Digits100& value) {
-  Parts parts{.negative = signbit(value) != 0};
-  if (isnan(value) || isinf(value)) {
-    parts.kind = isnan(value) ? NumberKind::not_a_number : NumberKind::infinite;
-    return parts;
-  }
-  Digits100 rest = frexp(abs(value), &parts.exponent);
-  if (rest > 0 && rest < 0.5) {  // Boost goes by the nearest double, which may be a power of two
-    rest *= 2;
-    --parts.exponent;
-  }
-  for (std::uint32_t& word : parts.words) {  // exact: only whole bits are taken away
-    rest = ldexp(rest, 32);
-    word = static_cast<std::uint32_t>(rest);
-    rest -= word;
-  }
-  return parts;
-}
-
-inline Digits100 composed(const Parts& parts) {
-  using Limits = std::numeric_limits<Digits100>;
-  Digits100 value = 0;
-  if (parts.kind == NumberKind::finite) {
-    for (auto word = parts.words.rbegin(); word != parts.words.rend(); ++word) {
-      value = ldexp(Digits100(value + *word), -32);
-    }
-    value = ldexp(value, parts.exponent);
-  } else {
-    value = parts.kind == NumberKind::infinite ? Limits::infinity() : Limits::quiet_NaN();
-  }
-  return parts.negative ? Digits100(-value) : value;
-}
 
 }  // namespace archive_detail
 
@@ -138,7 +95,7 @@ class ArchiveWriter {
   void write(const Extended& value) { raw(&value, archive_detail::extended_bytes); }
   void write(const Quad& value) { raw(&value, sizeof value); }
   void write(const Digits100& value) {
-    const auto parts = archive_detail::parts_of(value);
+    const auto parts = parts_of(value);
     (*this)(static_cast<std::uint8_t>(parts.kind), parts.negative, parts.exponent, parts.words);
   }
   void write(const std::string& text) {
@@ -245,14 +202,14 @@ class ArchiveReader {
     if (written_digits_ == kDouble) return promote<double>(value);
     if (written_digits_ == kExtended) return promote<Extended>(value);
     if (written_digits_ == kQuad) return promote<Quad>(value);
-    archive_detail::Parts parts;
+    DigitsParts parts;
     const auto kind = next<std::uint8_t>();
     (*this)(parts.negative, parts.exponent, parts.words);
     require_archived(
         kind <= 2 && std::abs(std::int64_t{parts.exponent}) < archive_detail::digits_exponent_limit,
         "a number that there is not");
-    parts.kind = archive_detail::NumberKind{kind};
-    value = archive_detail::composed(parts);
+    parts.kind = NumberKind{kind};
+    value = composed(parts);
   }
   void read(std::string& text) {
     text.resize(length(1));
