@@ -31,16 +31,18 @@ class RoughViewpoint {
     const Vec<Dim, double> position = rough(sphere.position);
     const Vec<Dim, double> velocity = rough(sphere.velocity);
     const auto time = static_cast<double>(sphere.time);
+    const Vec<Dim, double> shift = rough(image.position);
     const auto slide = static_cast<double>(image.velocity);
+    const double slid = slide * from_.when;
     RelativeMotion<Dim, double> motion = {
-        position + velocity * (from_.when - time) - from_.position + rough(image.position),
+        position + velocity * (from_.when - time) - from_.position + shift,
         velocity - from_.velocity};
-    motion.dr[0] += slide * from_.when;
+    motion.dr[0] += slid;
     motion.dv[0] += slide;
     // Each error is a small part of the numbers that have been added up.
     const double times = std::abs(from_.when) + std::abs(time);
     const double places = size(position) + size(velocity) * times + size(from_.position) +
-                          size(rough(image.position)) + std::abs(slide * from_.when);
+                          size(shift) + std::abs(slid);
     const double velocities = size(velocity) + size(from_.velocity) + std::abs(slide);
     return is_sure(approach(motion), unit * places, unit * velocities + least);
   }

@@ -120,9 +120,9 @@ class Spheres {
     const Viewpoint<Dim, Real> here = viewpoint(i, when);
     const RoughViewpoint<Dim> roughly(here);
     for (const Neighbour neighbour : neighbours) {
-      if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<long double>::digits) {
-        const auto& image = images_[static_cast<std::size_t>(neighbour.way().code())];
-        if (!falls_ && roughly.misses((*this)[neighbour.sphere()], image)) continue;
+      if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Extended>::digits) {
+        const Sphere& other = (*this)[neighbour.sphere()];
+        if (!falls_ && roughly.misses(other, image(neighbour.way()))) continue;
       }
       const auto contact = zenosphere::contact(motion_from(here, neighbour));
       if (contact) ahead.add(neighbour.sphere(), *contact);
@@ -211,12 +211,15 @@ class Spheres {
   /// The motion of the image in which a neighbour is seen, from that of the neighbour itself.
   RelativeMotion<Dim, Real> in_image(Neighbour neighbour, const Real& when,
                                      RelativeMotion<Dim, Real> motion) const {
-    const auto& image = images_[static_cast<std::size_t>(neighbour.way().code())];
+    const Image<Dim, Real>& image = this->image(neighbour.way());
     // Number by number: a moved image would be written in parts and read as a whole, with a wait.
     motion.dr[0] += image.position[0] + image.velocity * when;
     for (int axis = 1; axis < Dim; ++axis) motion.dr[axis] += image.position[axis];
     motion.dv[0] += image.velocity;
     return motion;
+  }
+  const Image<Dim, Real>& image(Way way) const {
+    return images_[static_cast<std::size_t>(way.code())];
   }
   Real profile_in_layer(const Sphere& sphere, const Real& when) const;
   Real slide(std::int64_t units, const Real& when) const;

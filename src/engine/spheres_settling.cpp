@@ -175,7 +175,7 @@ bool Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector&
   sphere.cell = cells_.index(home);
   const Way way(periods, layers);
   if (way == Way()) return false;
-  const auto& image = images_[static_cast<std::size_t>(way.code())];
+  const Image<Dim, Real>& image = this->image(way);
   sphere.position -= image.position;
   sphere.position[0] -= image.velocity * sphere.time;
   sphere.velocity[0] -= image.velocity;
