@@ -6,6 +6,7 @@
 
 #include "model/real.hpp"
 #include "support/gas.hpp"
+#include "support/sight.hpp"
 
 namespace zenosphere {
 namespace {
@@ -17,15 +18,7 @@ struct Pair {
   Sphere<Dim, Quad> other;
   Image<Dim, Quad> image;
 
-  bool may_touch() const {
-    const Quad flight = here.when - other.time;
-    RelativeMotion<Dim, Quad> motion{
-        other.position + other.velocity * flight - here.position + image.position,
-        other.velocity - here.velocity};
-    motion.dr[0] += image.velocity * here.when;
-    motion.dv[0] += image.velocity;
-    return contact(motion).has_value();
-  }
+  bool may_touch() const { return contact(support::motion_seen(here, other, image)).has_value(); }
   bool misses_roughly() const { return RoughViewpoint<Dim>(here).misses(other, image); }
 };
 

@@ -13,6 +13,7 @@
 #include "engine/next_meetings.hpp"
 #include "engine/wide_lanes.hpp"
 #include "support/gas.hpp"
+#include "support/sight.hpp"
 
 namespace zenosphere {
 namespace {
@@ -64,13 +65,8 @@ class WideContacts : public ::testing::Test {
   /// What contact() says of a neighbour.
   std::optional<Contact<double>> contact_with(Neighbour neighbour) const {
     const auto& sphere = spheres[static_cast<std::size_t>(neighbour.sphere())];
-    Image<Dim, double> image = images[static_cast<std::size_t>(neighbour.way().code())];
-    image.position[0] += image.velocity * here.when;
-    const auto place = sphere.position + sphere.velocity * (here.when - sphere.time);
-    RelativeMotion<Dim, double> motion{(place - here.position) + image.position,
-                                       sphere.velocity - here.velocity};
-    motion.dv[0] += image.velocity;
-    return contact(approach(motion));
+    const auto& image = images[static_cast<std::size_t>(neighbour.way().code())];
+    return contact(support::motion_seen(here, sphere, image));
   }
 
   support::Dice dice{11};
