@@ -64,44 +64,30 @@ class SlidingCells {
     constexpr std::size_t z = Dim > 2 ? 2 : 0;
     constexpr int aside_y = Dim > 1 ? 1 : 0;
     constexpr int aside_z = Dim > 2 ? 1 : 0;
-    struct Run {
-      int column;
-      int count;
-      int steps;  ///< to the first column
-      Way way;    ///< as far as it leads along x and between layers
-    };
-    std::array<Run, 8> runs;
     const int side = cells_[0];
     for (int layers = -aside_y; layers <= aside_y; ++layers) {
-      int period_y = 0;
+      Steps<Dim> periods{};
       std::int32_t layer = 0;
-      if constexpr (Dim > 1) layer = wrapped(home[y] + layers, cells_[y], period_y) * strides_[y];
+      if constexpr (Dim > 1) layer = wrapped(home[y] + layers, cells_[y], periods[y]) * strides_[y];
       // A layer that has slid to the right is met at a column further left.
       const auto [from, to] = reach[static_cast<std::size_t>(layers + 1)];
       int column = home[0] - layers * whole_slide_ + from;
-      int boxes = 0;
-      for (; column < 0; column += side) --boxes;
-      for (; column >= side; column -= side) ++boxes;
-      std::size_t count = 0;
-      for (int left = to - from + 1; left > 0; ++count, ++boxes, column = 0) {
-        const int run = std::min(left, side - column);
-        Steps<Dim> periods{boxes};
-        if constexpr (Dim > 1) periods[1] = period_y;
-        runs[count] = {column, run, to - left + 1, Way(periods, layers)};
-        left -= run;
-      }
-      for (int row = -aside_z; row <= aside_z; ++row) {
-        std::int32_t base = layer;
-        int period_z = 0;
-        if constexpr (Dim > 2) base += wrapped(home[z] + row, cells_[z], period_z) * strides_[z];
-        for (std::size_t k = 0; k < count; ++k) {
-          const std::int32_t first = base + runs[k].column;
+      for (; column < 0; column += side) --periods[0];
+      for (; column >= side; column -= side) ++periods[0];
+      for (int step = from; step <= to; ++periods[0], column = 0) {
+        const int last = std::min(column + to - step, side - 1);
+        const Way way(periods, layers);
+        for (int row = -aside_z; row <= aside_z; ++row) {
+          std::int32_t base = layer;
+          int period_z = 0;
+          if constexpr (Dim > 2) base += wrapped(home[z] + row, cells_[z], period_z) * strides_[z];
           Steps<Dim> steps{};
-          steps[0] = runs[k].steps;
+          steps[0] = step;
           if constexpr (Dim > 1) steps[1] = layers;
           if constexpr (Dim > 2) steps[2] = row;
-          visit(first, first + runs[k].count - 1, runs[k].way.beyond_z(period_z), steps);
+          visit(base + column, base + last, way.beyond_z(period_z), steps);
         }
+        step += last - column + 1;
       }
     }
   }
