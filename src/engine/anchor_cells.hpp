@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/anchor.hpp"
-#include "engine/fetch_queue.hpp"
+#include "engine/fetching.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 
@@ -46,10 +46,9 @@ class AnchorCells {
   /// No cell has had more spheres, or few more.
   std::size_t room() const { return longest_ * Chunk::places; }
 
-  /// What will be read of the cells `first` to `last`.
-  void add_to(FetchQueue& fetches, std::int32_t first, std::int32_t last) const {
-    fetches.add_each(static_cast<std::uint32_t>(last - first + 1),
-                     [at = &chunk(first)](std::uint32_t k) { return at + k; });
+  /// Fetches the cells `first` to `last`.
+  void fetch(std::int32_t first, std::int32_t last) const {
+    for (std::int32_t cell = first; cell <= last; ++cell) fetch_line(&chunk(cell));
   }
 
   /// So many Neighbours behind those that are found may be overwritten.

@@ -1,28 +1,40 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <deque>
+#include <span>
 #include <vector>
 
-#include "engine/fetch_queue.hpp"
+#include "engine/fetching.hpp"
 #include "engine/large_vector.hpp"
 
 namespace zenosphere {
 
 /// The event calendar: one time per sphere, earliest first, O(1) per operation.
 ///
-/// A bounded increasing priority queue: linear bins in time, unsorted, and a small binary heap for
-/// the bin that is current. An event earlier than the current bin, also one slightly in the
-/// past, goes to the heap. When the bins are used up, a new cycle begins with a bin width fitted to
+/// Linear bins in time hold the numbers of the spheres that were given an event in them. Nothing is
+/// taken out of a bin: where a sphere has got another time since, its entry is void. When its turn
+/// comes a bin is opened: its events are sorted and stand in line. An event that is given later and
+/// comes before the end of the line, also one slightly in the past, goes to a small heap. When the
+/// bins are used up, or too many entries are void, a new cycle begins with a bin width fitted to
 /// the events at hand. Equal times come in the order of the spheres' numbers, so that the order of
 /// events depends on the times alone and not on the history of the calendar.
 ///
-/// Source: G. Paul, J. Comput. Phys. 221 (2007) 615.
+/// Many bins are put together in groups, whose events are parted when the first bin is opened: so
+/// few places are written to at a time that they stay in the cache.
+///
+/// Source: bins bounded in time, G. Paul, J. Comput. Phys. 221 (2007) 615; sorted, in two steps,
+/// when their turn comes, Tang, Goh & Thng, ACM Trans. Model. Comput. Simul. 15 (2005) 175.
 template <class Real>
 class Calendar {
  public:
   static constexpr std::int32_t kNone = -1;
+
+  struct Event {
+    Real time;
+    std::int32_t id;
+  };
 
   /// \param size  number of spheres; each starts without an event
   explicit Calendar(std::int32_t size);
@@ -31,88 +43,83 @@ class Calendar {
   void schedule(std::int32_t id, const Real& time);
 
   /// The sphere with the earliest event, or kNone if there is no event at all.
-  std::int32_t earliest();
+  std::int32_t earliest() {
+    for (;;) {
+      if (!heap_.empty()) [[unlikely]]
+        drop_void_heap();
+      if (next_ < line_.size()) {
+        const Event& next = line_[next_];
+        if (is_void(next)) {
+          ++next_;
+          continue;
+        }
+        return heap_.empty() || is_before(next, heap_.front()) ? next.id : heap_.front().id;
+      }
+      if (!heap_.empty()) return heap_.front().id;
+      if (!go_on()) return kNone;
+    }
+  }
 
   /// Time of the event of sphere `id`; infinity if it has none.
-  const Real& time(std::int32_t id) const { return event(id).time; }
+  const Real& time(std::int32_t id) const { return times_[static_cast<std::size_t>(id)]; }
 
-  /// The bin whose events come now.
-  std::int32_t current_bin() const { return current_; }
-
-  /// The first sphere in a later bin, as far as is known now, and the one behind a sphere in the
-  /// same bin; or kNone.
-  std::int32_t in_bin(std::int32_t bin) const {
-    return bin < bins_ ? heads_[static_cast<std::size_t>(bin)] : kNone;
-  }
-  std::int32_t behind_in_bin(std::int32_t id) const {
-    return is_in_bin(event(id).place) ? event(id).next : kNone;
+  /// Lets at least `count` events stand in line, as far as there are so many in this cycle.
+  void line_up(std::size_t count) {
+    while (line_.size() - next_ < count && opened_ < bin_count_) open_bin();
   }
 
-  /// What will be read of the event of sphere `id`.
-  void add_to(FetchQueue& fetches, std::int32_t id) const { fetches.add(&event(id)); }
+  /// The events in line, earliest first. Some are void, and others may yet come between them.
+  std::span<const Event> line() const { return std::span(line_).subspan(next_); }
+
+  /// How many have been in line, and are no more.
+  std::int64_t passed() const {
+    return lined_up_ - static_cast<std::int64_t>(line_.size() - next_);
+  }
+
+  /// Fetches what will be read of the event of sphere `id`.
+  void fetch(std::int32_t id) const { fetch_line(&time(id)); }
 
   /// Sets all events back by `span`, as when the clock is re-based.
   void set_back(const Real& span);
 
  private:
-  struct Event {
-    Real time;
-    std::int32_t next;   ///< in the same bin
-    std::int32_t place;  ///< in the heap or in a bin, or one of the following
-  };
-  static constexpr std::int32_t kNowhere = -1;
-  static constexpr std::int32_t kInNextCycle = -2;
-  static constexpr std::int32_t kMostWaiting = 8;
-  static constexpr std::int32_t kNoBin = std::numeric_limits<std::int32_t>::max();
+  using Bin = std::vector<std::int32_t>;
+  using Group = std::deque<std::int32_t>;  ///< gives back its memory when it is cleared
 
-  struct Wait {
-    std::int32_t id, bin;
-  };
-
-  /// The place of an event that waits for its bin.
-  static constexpr std::int32_t waits_at(std::uint32_t slot) {
-    return kInNextCycle - 1 - static_cast<std::int32_t>(slot);
+  bool is_void(const Event& event) const { return time(event.id) != event.time; }
+  static bool is_before(const Event& a, const Event& b) {
+    return a.time < b.time || (a.time == b.time && a.id < b.id);
   }
+  static bool is_after(const Event& a, const Event& b) { return is_before(b, a); }
 
-  /// The place in a bin behind the sphere `previous`, or at its head behind kNone; and back.
-  static constexpr std::int32_t behind(std::int32_t previous) {
-    return kInNextCycle - kMostWaiting - 2 - previous;
-  }
-  static constexpr bool is_in_bin(std::int32_t place) { return place <= behind(kNone); }
-
-  void start_cycle();
-  void end_cycle();
-  Real fitted_bin_width(const Real& first) const;
   double bins_after_origin(const Real& time) const {
     return static_cast<double>((time - origin_) * bins_per_time_);
   }
+  Bin& bin(std::int32_t number) {
+    return bins_[static_cast<std::size_t>(number) & (bins_.size() - 1)];
+  }
+
+  bool go_on();
+  bool start_cycle();
+  void end_cycle();
+  void fit_bins(const Real& first);
   void place(std::int32_t id);
-  void wait(std::int32_t id, std::int32_t bin);
-  void end_wait();
-  void end_waits();
-  void put(std::int32_t id, std::int32_t bin);
-  void remove(std::int32_t id);
-  void open_bin(std::int32_t bin);
+  void open_group();
+  void open_bin();
+  void drop_void_heap();
 
-  bool before(std::int32_t a, std::int32_t b) const;
-  void heap_push(std::int32_t id);
-  void heap_remove(std::int32_t position);
-  void heap_settle(std::int32_t position, std::int32_t id);
-
-  Event& event(std::int32_t id) { return events_[static_cast<std::size_t>(id)]; }
-  const Event& event(std::int32_t id) const { return events_[static_cast<std::size_t>(id)]; }
-
-  LargeVector<Event> events_;
-  LargeVector<std::int32_t> heads_;  ///< of the bins: a sphere in each
-  std::vector<std::int32_t> heap_;
-  std::int32_t bins_;
-  std::int32_t current_;
-  std::int32_t soon_;               ///< for bins not further off than this no event waits
-  std::int32_t in_next_cycle_ = 0;  ///< how many events are
-  std::array<Wait, kMostWaiting> waits_{};
-  std::uint32_t first_wait_ = 0;  ///< counted on and on, as is the end
-  std::uint32_t end_of_waits_ = 0;
-  std::int32_t least_bin_ = kNoBin;  ///< of the bins waited for
+  LargeVector<Real> times_;
+  std::int32_t bin_count_;     ///< in a cycle; a power of two
+  int group_bits_;             ///< there are 2 to the power of it in a group
+  std::vector<Bin> bins_;      ///< of the group that is open, unsorted
+  std::vector<Group> groups_;  ///< of later bins
+  std::int32_t opened_ = 0;    ///< bins of this cycle
+  std::int32_t open_end_ = 0;  ///< the first bin that is in no group opened yet
+  std::vector<Event> line_;
+  std::size_t next_ = 0;  ///< in line
+  std::int64_t lined_up_ = 0;
+  std::vector<Event> heap_;
+  std::size_t entries_ = 0;  ///< in bins, groups and the heap
   Real origin_ = 0;
   Real bins_per_time_ = 0;
 };

@@ -132,9 +132,7 @@ NeighbourLists::Changes NeighbourLists::changes(std::int32_t i, std::span<Neighb
 
 void NeighbourLists::fetch(std::int32_t i, std::span<const Neighbour> now,
                            const Changes& changes) const {
-  const auto fetch_list = [this](Neighbour neighbour) {
-    for_each_line(neighbour.sphere(), fetch_at_once);
-  };
+  const auto fetch_list = [this](Neighbour neighbour) { fetch(neighbour.sphere()); };
   std::for_each_n(now.begin(), changes.fresh, fetch_list);
   for_each_gone(of(i), changes.kept, fetch_list);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/anchor.hpp"
-#include "engine/fetch_queue.hpp"
+#include "engine/fetching.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/way.hpp"
 #include "model/limits.hpp"
@@ -92,10 +92,8 @@ class NeighbourLists {
   /// Corrects all ways for layers that have slid by a whole box.
   void turn();
 
-  /// What will be read of the list of i, and its anchor.
-  void add_to(FetchQueue& fetches, std::int32_t i) const {
-    for_each_line(i, [&](const void* line) { fetches.add(line); });
-  }
+  /// Fetches the list of i, and its anchor.
+  void fetch(std::int32_t i) const { for_each_line(i, fetch_line); }
 
  private:
   struct Head {

@@ -183,7 +183,7 @@ void Simulation<Dim, Real>::settle(std::int32_t i) {
   ++settlings_;
   now_.remainder = std::max(now_.remainder, calendar_.time(i));
   const Real& meeting = meetings(i).first().time;
-  predict_new(i, spheres_.settle(i, now_.remainder, meeting, fetches_));
+  predict_new(i, spheres_.settle(i, now_.remainder, meeting));
 }
 
 /// Sets the clock and all times back by whole units; the layers slide by as many cells.

@@ -11,7 +11,7 @@
 #include "engine/configuration.hpp"
 #include "engine/contact_physics.hpp"
 #include "engine/contacts_ahead.hpp"
-#include "engine/fetch_queue.hpp"
+#include "engine/fetching.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/next_meetings.hpp"
@@ -183,14 +183,16 @@ class Simulation {
   void apply_overlap_rule();
   bool is_stale(const Meeting<Real>& meeting) const;
   void go_stale(std::int32_t i);
+  bool is_second_known(const NextMeetings<Real>& next) const;
+
+  using Event = typename Calendar<Real>::Event;
   void fetch_ahead();
-  void fetch_round(std::int32_t round);
-  void fetch(std::int32_t i);
-  void fetch_surroundings(std::int32_t i);
-  void fetch_neighbours(std::int32_t i);
+  void fetch_own(std::int32_t i);
   void fetch_partner(const Meeting<Real>& meeting);
-  void fetch_observed(std::int32_t i);
-  bool will_settle(std::int32_t i) const;
+  void fetch_around(const Event& event);
+  void fetch_neighbours(const Event& event);
+  void fetch_neighbours(std::int32_t i);
+  void fetch_in_place_of_stale(const Event& event);
 
   Collision<Dim, Real> next_with(std::int32_t i);
   void meet(Collision<Dim, Real>& collision, Neighbour neighbour);
@@ -244,15 +246,7 @@ class Simulation {
   bool at_rest_ = false;
   bool waiting_ = false;
 
-  /// Who will have an event soon, by how much of what it needs is in the cache.
-  struct Soon {
-    std::vector<std::int32_t> found;  ///< nothing yet
-    std::vector<std::int32_t> known;  ///< when their events come
-    std::vector<std::int32_t> ready;  ///< their own state
-  };
-  Soon soon_;  ///< from here on nothing but the speed changes
-  FetchQueue fetches_;
-  std::int32_t fetched_round_ = 0;
+  std::int64_t fetched_ = 0;  ///< for so many of the calendar's line; affects the speed only
   const std::byte* observed_ = nullptr;
   std::size_t observed_bytes_ = 0;
 };

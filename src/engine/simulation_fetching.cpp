@@ -1,8 +1,8 @@
 // What the next events need is fetched into the cache before they come.
 
 #include <algorithm>
-#include <utility>
-#include <vector>
+#include <cstddef>
+#include <cstdint>
 
 #include "engine/simulation.hpp"
 #include "model/instantiate.hpp"
@@ -11,95 +11,80 @@ namespace zenosphere {
 
 namespace {
 
-/// Bins of the calendar whose events are looked at together.
-constexpr std::int32_t bins_a_round = 4;
+/// So many events are looked at together: while a processor looks up a page of memory it goes on
+/// with the next instructions, but not for long.
+constexpr std::size_t events_at_once = 4;
 
-/// How much earlier than its events a round begins: time for the steps below, and for the
-/// spheres that are one or two behind the first of their bin.
-constexpr std::int32_t rounds_ahead = 8;
+/// By how many events what they need is fetched ahead. What has been fetched in one step tells what
+/// to fetch in the next.
+constexpr std::size_t own_ahead = 32;
+constexpr std::size_t around_ahead = 22;
+constexpr std::size_t neighbours_ahead = 14;
+constexpr std::size_t stale_ahead = 7;
 
 }  // namespace
 
 template <int Dim, class Real>
 void Simulation<Dim, Real>::fetch_ahead() {
-  fetches_.fetch(8 + fetches_.size() / 4);
-  const std::int32_t round = calendar_.current_bin() / bins_a_round;
-  fetched_round_ = std::clamp(fetched_round_, round - rounds_ahead, round);
-  while (fetched_round_ < round) fetch_round(++fetched_round_);
+  const std::int64_t passed = calendar_.passed();
+  const auto count = static_cast<std::size_t>(passed - fetched_);
+  if (count < events_at_once) return;
+  fetched_ = passed;
+  calendar_.line_up(own_ahead + 1);
+  const std::span line = calendar_.line();
+  if (count > stale_ahead || line.size() <= own_ahead) return;  // a new cycle
+  for (std::size_t k = count; k-- > 0;) fetch_own(line[own_ahead - k].id);
+  for (std::size_t k = count; k-- > 0;) fetch_around(line[around_ahead - k]);
+  for (std::size_t k = count; k-- > 0;) fetch_neighbours(line[neighbours_ahead - k]);
+  for (std::size_t k = count; k-- > 0;) fetch_in_place_of_stale(line[stale_ahead - k]);
 }
 
-/// Takes everyone who will have an event soon one step on: what has been fetched in one round tells
-/// what to fetch in the next.
+/// What is kept of a sphere.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::fetch_round(std::int32_t round) {
-  std::vector<std::int32_t>& found = soon_.found;
-  std::vector<std::int32_t>& known = soon_.known;
-  std::vector<std::int32_t>& ready = soon_.ready;
-  for (const std::int32_t i : ready) fetch_neighbours(i);
-  for (const std::int32_t i : known) fetch_surroundings(i);
-  ready.clear();
-  std::swap(ready, known);
-  std::swap(known, found);
-  const auto find = [&](std::int32_t i) {
-    if (i == Calendar<Real>::kNone) return;
-    found.push_back(i);
-    calendar_.add_to(fetches_, i);
-  };
-  for (const std::int32_t i : known) {
-    fetch(i);
-    find(calendar_.behind_in_bin(i));
-  }
-  const std::int32_t first = (round + rounds_ahead) * bins_a_round;
-  for (std::int32_t bin = first; bin < first + bins_a_round; ++bin) find(calendar_.in_bin(bin));
+void Simulation<Dim, Real>::fetch_own(std::int32_t i) {
+  spheres_.fetch(i);
+  fetch_line(&meetings_[static_cast<std::size_t>(i)]);
+  calendar_.fetch(i);
 }
 
 template <int Dim, class Real>
-void Simulation<Dim, Real>::fetch(std::int32_t i) {
-  spheres_.add_to(fetches_, i);
-  fetches_.add(&meetings(i));
+void Simulation<Dim, Real>::fetch_partner(const Meeting<Real>& meeting) {
+  if (meeting.is_with_anybody() && !wall(meeting.partner())) fetch_own(meeting.partner());
 }
 
 /// The cells around a sphere that will be settled, or the partner that it meets.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::fetch_surroundings(std::int32_t i) {
-  if (will_settle(i)) {
-    spheres_.add_cells_to(fetches_, i);
+void Simulation<Dim, Real>::fetch_around(const Event& event) {
+  const Meeting<Real>& first = meetings(event.id).first();
+  if (event.time < first.time) {
+    spheres_.fetch_cells(event.id, event.time);
   } else {
-    fetch_partner(meetings(i).first());
+    fetch_partner(first);
   }
 }
 
 /// All whom a prediction will look at; or the second partner, where the first has met somebody
 /// else.
 template <int Dim, class Real>
+void Simulation<Dim, Real>::fetch_neighbours(const Event& event) {
+  const Meeting<Real>& first = meetings(event.id).first();
+  if (event.time < first.time) return;
+  if (is_stale(first)) return fetch_partner(meetings(event.id).second());
+  fetch_neighbours(event.id);
+  if (!wall(first.partner())) fetch_neighbours(first.partner());
+}
+template <int Dim, class Real>
 void Simulation<Dim, Real>::fetch_neighbours(std::int32_t i) {
-  const Meeting<Real>& first = meetings(i).first();
-  const Meeting<Real>& second = meetings(i).second();
-  if (will_settle(i) || !first.is_with_anybody()) return;
-  if (is_stale(first) && second.is_with_anybody()) return fetch_partner(second);
-  spheres_.add_neighbours_to(fetches_, i);
-  fetch_observed(i);
-  if (is_stale(first) || wall(first.partner())) return;
-  spheres_.add_neighbours_to(fetches_, first.partner());
-  fetch_observed(first.partner());
+  spheres_.fetch_neighbours(i);
+  if (observed_) fetch_line(observed_ + static_cast<std::size_t>(i) * observed_bytes_);
 }
 
+/// All whom a prediction will look at that is made because no known meeting holds any more.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::fetch_observed(std::int32_t i) {
-  if (observed_) fetches_.add(observed_ + static_cast<std::size_t>(i) * observed_bytes_);
-}
-
-template <int Dim, class Real>
-void Simulation<Dim, Real>::fetch_partner(const Meeting<Real>& meeting) {
-  const std::int32_t j = meeting.partner();
-  if (!meeting.is_with_anybody() || wall(j)) return;
-  fetch(j);
-  calendar_.add_to(fetches_, j);
-}
-
-template <int Dim, class Real>
-bool Simulation<Dim, Real>::will_settle(std::int32_t i) const {
-  return calendar_.time(i) < meetings(i).first().time;
+void Simulation<Dim, Real>::fetch_in_place_of_stale(const Event& event) {
+  const NextMeetings<Real>& next = meetings(event.id);
+  if (event.time < next.first().time || !is_stale(next.first())) return;
+  if (!is_second_known(next)) fetch_neighbours(event.id);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template void Simulation<Dim, Real>::fetch_ahead();

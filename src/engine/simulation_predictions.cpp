@@ -18,7 +18,7 @@ void Simulation<Dim, Real>::predict(std::int32_t i) {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::predict_from_here(std::int32_t i) {
   const auto neighbours = spheres_.neighbours(i);
-  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder, fetches_)) {
+  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder)) {
     meetings(i).set(meeting(two->first, two->first_time), meeting(two->second, two->second_time),
                     two->meetings <= 2);
   } else {
@@ -31,7 +31,7 @@ void Simulation<Dim, Real>::predict_from_here(std::int32_t i) {
 /// Adds the meetings with new neighbours to those that are known.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::predict_new(std::int32_t i, std::span<const Neighbour> neighbours) {
-  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder, fetches_)) {
+  if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder)) {
     meetings(i).add({meeting(two->first, two->first_time), meeting(two->second, two->second_time),
                      two->meetings <= 2});
   } else {
@@ -106,6 +106,12 @@ bool Simulation<Dim, Real>::is_stale(const Meeting<Real>& meeting) const {
   return spheres_[meeting.partner()].collisions != meeting.partner_collisions;
 }
 
+/// Whether the second meeting takes the place of the first: or nobody, where that was all.
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::is_second_known(const NextMeetings<Real>& next) const {
+  return next.second().is_with_anybody() ? !is_stale(next.second()) : next.is_all();
+}
+
 /// Looks for what comes in place of the first meeting of a sphere, whose partner has met somebody
 /// else.
 template <int Dim, class Real>
@@ -113,8 +119,7 @@ void Simulation<Dim, Real>::go_stale(std::int32_t i) {
   NextMeetings<Real>& next = meetings(i);
   ++stale_events_;
   now_.remainder = std::max(now_.remainder, next.first().time);
-  const bool is_known = next.second().is_with_anybody() ? !is_stale(next.second()) : next.is_all();
-  if (!is_known) return predict(i);
+  if (!is_second_known(next)) return predict(i);
   next.drop_first();
   schedule(i);
 }
@@ -130,6 +135,7 @@ void Simulation<Dim, Real>::schedule(std::int32_t i) {
   template void Simulation<Dim, Real>::predict_from_here(std::int32_t);                       \
   template void Simulation<Dim, Real>::predict_new(std::int32_t, std::span<const Neighbour>); \
   template bool Simulation<Dim, Real>::is_stale(const Meeting<Real>&) const;                  \
+  template bool Simulation<Dim, Real>::is_second_known(const NextMeetings<Real>&) const;      \
   template void Simulation<Dim, Real>::go_stale(std::int32_t);                                \
   template void Simulation<Dim, Real>::schedule(std::int32_t);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)

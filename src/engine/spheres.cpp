@@ -18,11 +18,10 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
   assert(start.positions.size() == start.velocities.size());
   place(start);
   start = {};  // whose memory the lists can use
-  FetchQueue nothing_to_fetch;
   for (std::int32_t i = 0; i < count(); ++i) {
     // As if it had been alone until now.
     anchor_cells_.remove(i, (*this)[i].cell);
-    const std::span<Neighbour> neighbours = neighbours_of(i, 0, nothing_to_fetch);
+    const std::span<Neighbour> neighbours = neighbours_of(i, 0);
     lists_.replace(i, neighbours, lists_.changes(i, neighbours));
     anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
   }

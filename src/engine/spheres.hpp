@@ -12,7 +12,7 @@
 #include "engine/anchor_cells.hpp"
 #include "engine/configuration.hpp"
 #include "engine/contacts_ahead.hpp"
-#include "engine/fetch_queue.hpp"
+#include "engine/fetching.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/rough_viewpoint.hpp"
@@ -105,11 +105,10 @@ class Spheres {
   /// each; otherwise nothing, and find_contacts() tells.
   std::optional<FirstContacts<Real>> first_contacts(std::int32_t i,
                                                     std::span<const Neighbour> neighbours,
-                                                    const Real& when, FetchQueue& fetches) const {
+                                                    const Real& when) const {
     if constexpr (std::is_same_v<Real, double>) {
       if (lanes_are_wide_)
-        return first_contacts_wide(spheres_.data(), neighbours, images_.data(), viewpoint(i, when),
-                                   fetches);
+        return first_contacts_wide(spheres_.data(), neighbours, images_.data(), viewpoint(i, when));
     }
     return std::nullopt;
   }
@@ -129,24 +128,16 @@ class Spheres {
     }
   }
 
-  /// What will be read of a sphere.
-  void add_to(FetchQueue& fetches, std::int32_t i) const {
-    fetches.add(&spheres_[static_cast<std::size_t>(i)]);
-    lists_.add_to(fetches, i);
+  /// Fetches what will be read of a sphere.
+  void fetch(std::int32_t i) const {
+    fetch_line(&(*this)[i]);
+    lists_.fetch(i);
   }
-  /// And of the cells around it.
-  void add_cells_to(FetchQueue& fetches, std::int32_t i) const {
-    cells_.for_each_run(cells_.coordinates((*this)[i].cell), {{{-1, 1}, {-1, 1}, {-1, 1}}},
-                        [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
-                          anchor_cells_.add_to(fetches, first, last);
-                        });
-  }
-  /// And of its neighbours.
-  void add_neighbours_to(FetchQueue& fetches, std::int32_t i) const {
-    const auto neighbours = lists_.of(i);
-    fetches.add_each(static_cast<std::uint32_t>(neighbours.size()), [&](std::uint32_t k) {
-      return &spheres_[static_cast<std::size_t>(neighbours[k].sphere())];
-    });
+  /// Fetches the cells around it, where it will be settled at `when`.
+  void fetch_cells(std::int32_t i, const Real& when) const;
+  /// Fetches its neighbours.
+  void fetch_neighbours(std::int32_t i) const {
+    for (const Neighbour neighbour : lists_.of(i)) fetch_line(&(*this)[neighbour.sphere()]);
   }
 
   /// When a sphere has to be settled again, as foreseen at `when`; of a time after `until` only
@@ -156,10 +147,8 @@ class Spheres {
   /// Settles a sphere at `when`.
   ///
   /// \param meeting  when it will meet somebody, as far as is known: where its anchor should be
-  /// \param fetches  some of which are fetched on the way
   /// \return  its new neighbours
-  std::span<const Neighbour> settle(std::int32_t i, const Real& when, const Real& meeting,
-                                    FetchQueue& fetches);
+  std::span<const Neighbour> settle(std::int32_t i, const Real& when, const Real& meeting);
 
   /// Sets the clock of all spheres back by `span`; under shear that is one clock unit, and the
   /// layers have slid by one more cell.
@@ -187,9 +176,9 @@ class Spheres {
   void drop_anchor(std::int32_t i, const Real& when, const Vector& ahead);
   Vector corner(std::int32_t cell) const;
   bool go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
-  std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when, FetchQueue& fetches);
+  std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when);
   double slid_columns(const Real& when) const;
-  typename SlidingCells<Dim>::Reach columns_within_reach(std::int32_t i, double slid) const;
+  typename SlidingCells<Dim>::Reach columns_within_reach(double place, double slid) const;
   void find_images();
   Real time_in_ball(const Vector& away, const Vector& velocity) const;
   Real time_in_cube(const Vector& away, const Vector& velocity) const;

@@ -84,25 +84,29 @@ Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity
 
 template <int Dim, class Real>
 std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real& when,
-                                                      const Real& meeting, FetchQueue& fetches) {
+                                                      const Real& meeting) {
   Sphere& sphere = (*this)[i];
   anchor_cells_.remove(i, sphere.cell);
   const Vector ahead = way_to_anchor(velocity_at(sphere, when), meeting - when);
-  if (go_home(sphere, when, ahead)) {
-    // Every way now leads elsewhere. In a narrow box, with several ways to one neighbour, one that
-    // is known could pass for another one that is new.
-    lists_.replace(i, {}, lists_.changes(i, {}));
-  }
+  // Every way may lead elsewhere now. In a narrow box, with several ways to one neighbour, one that
+  // is known could pass for another one that is new.
+  const bool is_seen_anew = go_home(sphere, when, ahead);
+  const NeighbourLists::Changes all_gone{};
+  const bool is_worth_fetching = count() > most_spheres_in_cache;
+  if (is_seen_anew && is_worth_fetching) lists_.fetch(i, {}, all_gone);
   drop_anchor(i, when, ahead);
-  const std::span<Neighbour> neighbours = neighbours_of(i, when, fetches);
+  const std::span<Neighbour> neighbours = neighbours_of(i, when);
+  if (is_seen_anew) lists_.replace(i, {}, all_gone);
   const NeighbourLists::Changes changes = lists_.changes(i, neighbours);
   const std::span<const Neighbour> fresh = neighbours.first(changes.fresh);
-  if (count() > most_spheres_in_cache) {
-    for (const Neighbour neighbour : fresh) fetch_at_once(&(*this)[neighbour.sphere()]);
+  if (is_worth_fetching) {
+    for (const Neighbour neighbour : fresh) fetch_line(&(*this)[neighbour.sphere()]);
     lists_.fetch(i, neighbours, changes);
   }
   lists_.replace(i, neighbours, changes);
   anchor_cells_.insert(i, sphere.cell, anchor(i));
+  // What looks at four at once looks beyond the end: at nobody for whom it would have to wait.
+  std::fill_n(nearby_.data() + changes.fresh, 3, Neighbour(i, Way()));
   return fresh;
 }
 
@@ -185,8 +189,7 @@ bool Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector&
 /// All spheres whose balls come within a diameter of the ball of i while one slides past the
 /// other.
 template <int Dim, class Real>
-std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Real& when,
-                                                       FetchQueue& fetches) {
+std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Real& when) {
   const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
   const Anchor& anchor = this->anchor(i);
   // Adjacent layers slide on by half a cell while the list lasts: a quarter either way of the
@@ -199,8 +202,10 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
   target.cell_width = static_cast<std::int16_t>(cell_grains_[0]);
   const double distance = settling_.distance / settling_.grain;
   target.square = static_cast<std::int32_t>(distance * distance);
+  const double column =
+      anchor.place[0] * settling_.grain / static_cast<double>(box_.cell_width()[0]);
   cells_.for_each_run(
-      home, columns_within_reach(i, slid_columns(when)),
+      home, columns_within_reach(column, slid_columns(when)),
       [&](std::int32_t first, std::int32_t last, Way way, const Steps<Dim>& steps) {
         const int layers = SlidingCells<Dim>::layers(steps);
         for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -208,11 +213,21 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
           target.place[axis] = static_cast<std::int16_t>(anchor.place[axis] - ahead);
         }
         target.slide = static_cast<std::int16_t>(layers != 0 ? quarter : 0);
-        fetches.fetch_a_few();
         end = anchor_cells_.find(first, last, target, way, end);
       });
-  std::fill_n(end, 4, Neighbour(i, Way()));  // what looks at four at once may look beyond the end
   return {nearby_.data(), static_cast<std::size_t>(end - nearby_.data())};
+}
+
+template <int Dim, class Real>
+void Spheres<Dim, Real>::fetch_cells(std::int32_t i, const Real& when) const {
+  Sphere sphere = (*this)[i];
+  go_home(sphere, when, {});
+  const Steps<Dim> home = cells_.coordinates(sphere.cell);
+  const Real column = position_at(sphere, when)[0] / box_.cell_width()[0] - home[0];
+  cells_.for_each_run(home, columns_within_reach(static_cast<double>(column), slid_columns(when)),
+                      [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
+                        anchor_cells_.fetch(first, last);
+                      });
 }
 
 /// By how much of a cell each layer has slid against the one below it, beside whole cells; in
@@ -223,13 +238,13 @@ double Spheres<Dim, Real>::slid_columns(const Real& when) const {
   return std::clamp(static_cast<double>(when / box_.clock_unit()), 0.0, 1.0);
 }
 
-/// The columns of the layers below, beside and above that come near an anchor while its list lasts.
+/// The columns of the layers below, beside and above that come near a place while a list lasts.
+///
+/// \param place  along x, from the lower side of its cell, in columns
 template <int Dim, class Real>
-typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(std::int32_t i,
+typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(double place,
                                                                            double slid) const {
-  const double width = static_cast<double>(box_.cell_width()[0]);
-  const double place = anchor(i).place[0] * settling_.grain / width;
-  const double distance = settling_.distance / width;
+  const double distance = settling_.distance / static_cast<double>(box_.cell_width()[0]);
   typename SlidingCells<Dim>::Reach reach;
   for (const int layers : {-1, 0, 1}) {
     // The cell of column d then covers d + slide to d + slide + 1, and slides on by half a cell.
@@ -261,13 +276,13 @@ void Spheres<Dim, Real>::set_back(const Real& span) {
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                          \
+  template void Spheres<Dim, Real>::fetch_cells(std::int32_t, const Real&) const;                  \
   template Real Spheres<Dim, Real>::unsettled_at(std::int32_t, const Real&, const Real&) const;    \
   template std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t, const Real&,        \
-                                                                 const Real&, FetchQueue&);        \
+                                                                 const Real&);                     \
   template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&, const Vec<Dim, Real>&); \
   template bool Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) const;    \
-  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&,       \
-                                                                  FetchQueue&);                    \
+  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);      \
   template void Spheres<Dim, Real>::set_back(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

@@ -213,7 +213,7 @@ ZENOSPHERE_WIDE inline std::optional<FirstContacts<double>> first_of_all(
 template <int Dim>
 ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
     const Sphere<Dim, double>* spheres, std::span<const Neighbour> neighbours,
-    const Image<Dim, double>* images, const Viewpoint<Dim, double>& from, FetchQueue& fetches) {
+    const Image<Dim, double>* images, const Viewpoint<Dim, double>& from) {
   const std::size_t size = neighbours.size();
   if (size > NumberedApproaches::most) return std::nullopt;
   NumberedApproaches approaches;
@@ -221,7 +221,6 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
   for (std::size_t k = 0; k < size; k += 4) {
     const Approaches four = zenosphere::approaches(spheres, neighbours.data() + k, images, from);
     approaches.put(k, four);
-    fetches.fetch_a_few();
     candidates |= static_cast<std::uint64_t>(bits(may_touch(four))) << k;
   }
   candidates &= (std::uint64_t{1} << size) - 1;
@@ -268,15 +267,14 @@ template <int Dim>
 std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, double>* spheres,
                                                          std::span<const Neighbour> neighbours,
                                                          const Image<Dim, double>* images,
-                                                         const Viewpoint<Dim, double>& viewpoint,
-                                                         FetchQueue& fetches) {
-  return first_contacts(spheres, neighbours, images, viewpoint, fetches);
+                                                         const Viewpoint<Dim, double>& viewpoint) {
+  return first_contacts(spheres, neighbours, images, viewpoint);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim)                                                      \
   template std::optional<FirstContacts<double>> first_contacts_wide(                     \
       const Sphere<Dim, double>*, std::span<const Neighbour>, const Image<Dim, double>*, \
-      const Viewpoint<Dim, double>&, FetchQueue&);
+      const Viewpoint<Dim, double>&);
 ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

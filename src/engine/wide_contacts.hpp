@@ -4,7 +4,6 @@
 #include <span>
 
 #include "engine/contacts_ahead.hpp"
-#include "engine/fetch_queue.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/sphere.hpp"
 #include "model/shear_box.hpp"
@@ -16,13 +15,11 @@ namespace zenosphere {
 ///
 /// \param neighbours  three more, of any spheres, have to follow the last
 /// \param images      of each Way, at remainder 0
-/// \param fetches     some of which are fetched on the way
 /// \return nothing where it takes a look at each one: of overlaps, equal times, long lists
 template <int Dim>
 std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, double>* spheres,
                                                          std::span<const Neighbour> neighbours,
                                                          const Image<Dim, double>* images,
-                                                         const Viewpoint<Dim, double>& viewpoint,
-                                                         FetchQueue& fetches);
+                                                         const Viewpoint<Dim, double>& viewpoint);
 
 }  // namespace zenosphere

@@ -122,7 +122,7 @@ TEST(Calendar, AgreesWithASortedMapOverRandomOperations) {
   compare_random_operations(64, 100000, 2);
 }
 
-TEST(Calendar, AgreesWithASortedMapWhereEventsWaitForTheirBins) {
+TEST(Calendar, AgreesWithASortedMapWhereBinsAreInGroups) {
   compare_random_operations(25'000, 200'000, 4);
 }
 
@@ -156,6 +156,26 @@ TEST(Calendar, TakesAnEventBeforeTheOneThatJustCame) {
   EXPECT_EQ(calendar.earliest(), 0);
   calendar.schedule(2, -5);
   EXPECT_EQ(calendar.earliest(), 2);
+}
+
+TEST(Calendar, LinesUpTheNextEventsInOrder) {
+  constexpr std::int32_t size = 25'000;
+  support::Dice dice(5);
+  Calendar<double> calendar(size);
+  std::vector<double> times;
+  for (std::int32_t id = 0; id < size; ++id) {
+    times.push_back(dice.between(0, 1));
+    calendar.schedule(id, times.back());
+  }
+  std::sort(times.begin(), times.end());
+  for (std::size_t done = 0; done < 1000; ++done) {
+    const std::int32_t next = calendar.earliest();
+    calendar.line_up(40);
+    ASSERT_GE(calendar.line().size(), 40u);
+    ASSERT_EQ(calendar.passed(), static_cast<std::int64_t>(done));
+    for (std::size_t k = 0; k < 40; ++k) ASSERT_EQ(calendar.line()[k].time, times[done + k]);
+    calendar.schedule(next, kNever);
+  }
 }
 
 TEST(Calendar, FindsTheCrowdBehindAHugeOutlierAndTheOutlierBehindTheCrowd) {

@@ -85,10 +85,7 @@ class FlyingRods {
   double unsettled_at(std::int32_t i, double when) const {
     return rods.unsettled_at(i, when, never);
   }
-  void settle(std::int32_t i, double when, double meeting) {
-    FetchQueue nothing;
-    rods.settle(i, when, meeting, nothing);
-  }
+  void settle(std::int32_t i, double when, double meeting) { rods.settle(i, when, meeting); }
 
   const ShearBox<1, double> box;
   const Settling settling;

@@ -57,9 +57,8 @@ class WideContacts : public ::testing::Test {
   }
 
   std::optional<FirstContacts<double>> found(const std::vector<Neighbour>& neighbours) const {
-    FetchQueue nothing;
     return first_contacts_wide(spheres.data(), std::span(neighbours).first(neighbours.size() - 3),
-                               images.data(), here, nothing);
+                               images.data(), here);
   }
 
   /// What contact() says of a neighbour.
