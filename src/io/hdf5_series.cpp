@@ -1,6 +1,8 @@
 #include "io/hdf5_series.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 
 #include "io/hdf5_checked.hpp"
 
@@ -53,6 +55,23 @@ std::vector<std::int64_t> shape_of(const Handle& dataset) {
   return {dims.begin(), dims.end()};
 }
 
+/// Calls `transfer(space in memory, space in the file, bytes before it)` for blocks of rows: HDF5
+/// builds up a description of all chunks that one call reads or writes, and many small ones take
+/// long.
+template <class Transfer>
+void for_each_block(const Handle& dataset, Type type, const std::vector<std::int64_t>& row_shape,
+                    std::int64_t first, std::int64_t count, Transfer transfer) {
+  constexpr std::int64_t bytes_at_once = 1 << 20;
+  auto row_bytes = static_cast<std::int64_t>(H5Tget_size(number_type(type)));
+  for (const std::int64_t extent : row_shape) row_bytes *= extent;
+  const std::int64_t most = bytes_at_once / std::clamp<std::int64_t>(row_bytes, 1, bytes_at_once);
+  for (std::int64_t done = 0; done < count; done += most) {
+    const auto block = extents(std::min(most, count - done), row_shape);
+    const Handle selection = selected_rows(dataset, first + done, block);
+    checked(transfer(simple_space(block), selection, done * row_bytes));
+  }
+}
+
 }  // namespace
 
 std::vector<std::int64_t> shape(const Handle& parent, const std::string& path) {
@@ -63,10 +82,12 @@ void read_rows(const Handle& dataset, Type type, std::int64_t first, std::int64_
                void* rows) {
   const auto all = shape_of(dataset);
   if (all.empty()) throw Error("a single value where rows are expected");
-  const auto block = extents(count, {all.begin() + 1, all.end()});
-  const Handle selection = selected_rows(dataset, first, block);
-  const Handle memory = simple_space(block);
-  checked(H5Dread(dataset.id(), number_type(type), memory.id(), selection.id(), H5P_DEFAULT, rows));
+  auto* const bytes = static_cast<std::byte*>(rows);
+  for_each_block(dataset, type, {all.begin() + 1, all.end()}, first, count,
+                 [&](const Handle& memory, const Handle& selection, std::int64_t offset) {
+                   return H5Dread(dataset.id(), number_type(type), memory.id(), selection.id(),
+                                  H5P_DEFAULT, bytes + offset);
+                 });
 }
 
 Series::Series(const Handle& parent, const std::string& name, Type type,
@@ -107,12 +128,13 @@ void Series::truncate(std::int64_t length) {
 
 void Series::append_rows(const void* rows, std::int64_t count) {
   if (count == 0) return;
-  const auto block = extents(count, row_shape_);
   checked(H5Dset_extent(dataset_.id(), extents(length_ + count, row_shape_).data()));
-  const Handle selection = selected_rows(dataset_, length_, block);
-  const Handle memory = simple_space(block);
-  checked(
-      H5Dwrite(dataset_.id(), number_type(type_), memory.id(), selection.id(), H5P_DEFAULT, rows));
+  const auto* const bytes = static_cast<const std::byte*>(rows);
+  for_each_block(dataset_, type_, row_shape_, length_, count,
+                 [&](const Handle& memory, const Handle& selection, std::int64_t offset) {
+                   return H5Dwrite(dataset_.id(), number_type(type_), memory.id(), selection.id(),
+                                   H5P_DEFAULT, bytes + offset);
+                 });
   length_ += count;
 }
 
