@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
 #include "model/instantiate.hpp"
 
@@ -15,29 +16,14 @@ constexpr bool is_event(const Real& time) {
   return time < std::numeric_limits<Real>::infinity();
 }
 
-std::int32_t fitting_bin_count(std::int32_t size) {
-  constexpr std::uint32_t spheres_a_bin = 2;
-  return static_cast<std::int32_t>(
-      std::bit_ceil(static_cast<std::uint32_t>(size) / spheres_a_bin + 1));
-}
-
-/// All in one group, or in few: what is written to in turn has to stay in the cache.
-int fitting_group_bits(std::int32_t bin_count) {
-  constexpr int most_bits_for_one_group = 12;
-  constexpr int bits_for_groups = 6;
-  const int bits = std::countr_zero(static_cast<std::uint32_t>(bin_count));
-  return bits <= most_bits_for_one_group ? bits : bits - bits_for_groups;
-}
-
 }  // namespace
 
 template <class Real>
 Calendar<Real>::Calendar(std::int32_t size)
     : times_(static_cast<std::size_t>(size), std::numeric_limits<Real>::infinity()),
-      bin_count_(fitting_bin_count(size)),
-      group_bits_(fitting_group_bits(bin_count_)),
-      bins_(std::size_t{1} << group_bits_),
-      groups_(static_cast<std::size_t>(bin_count_ >> group_bits_)) {
+      bin_count_(size),
+      bins_(std::min(kBinsInGroup, std::bit_ceil(static_cast<std::uint32_t>(size)))),
+      groups_(static_cast<std::size_t>(size) / kBinsInGroup + 1) {
   end_cycle();
 }
 
@@ -69,7 +55,7 @@ void Calendar<Real>::set_back(const Real& span) {
 /// Lets every event wait for the next cycle.
 template <class Real>
 void Calendar<Real>::end_cycle() {
-  for (Bin& bin : bins_) bin.clear();
+  for (Bin& bin : bins_) bin.size = 0;
   for (Group& group : groups_) group.clear();
   line_.clear();
   next_ = 0;
@@ -117,17 +103,25 @@ void Calendar<Real>::place(std::int32_t id) {
   const double offset = bins_after_origin(time(id));
   if (!(offset < bin_count_)) return;  // the next cycle will find it
   ++entries_;
-  if (offset < opened_) {
-    heap_.push_back({time(id), id});
-    std::push_heap(heap_.begin(), heap_.end(), is_after);
-  } else {
-    const auto number = static_cast<std::int32_t>(offset);
-    if (number < open_end_) {
-      bin(number).push_back(id);
-    } else {
-      groups_[static_cast<std::size_t>(number >> group_bits_)].push_back(id);
-    }
-  }
+  if (offset < opened_) return put_in_heap(id);
+  const auto number = static_cast<std::int32_t>(offset);
+  if (number < open_end_) return put_in_bin(id, number);
+  group(number).push_back(id);
+}
+
+/// Where a bin is full the heap takes what comes.
+template <class Real>
+void Calendar<Real>::put_in_bin(std::int32_t id, std::int32_t number) {
+  Bin& bin = this->bin(number);
+  if (bin.size == Bin::room) [[unlikely]]
+    return put_in_heap(id);
+  bin.ids[bin.size++] = id;
+}
+
+template <class Real>
+void Calendar<Real>::put_in_heap(std::int32_t id) {
+  heap_.push_back({time(id), id});
+  std::push_heap(heap_.begin(), heap_.end(), is_after);
 }
 
 template <class Real>
@@ -143,14 +137,14 @@ void Calendar<Real>::drop_void_heap() {
 template <class Real>
 void Calendar<Real>::open_group() {
   constexpr std::ptrdiff_t ahead = 16;
-  Group& group = groups_[static_cast<std::size_t>(open_end_ >> group_bits_)];
+  Group& group = this->group(open_end_);
   entries_ -= group.size();
-  open_end_ += std::int32_t{1} << group_bits_;
+  open_end_ += std::int32_t{kBinsInGroup};
   for (auto id = group.begin(); id != group.end(); ++id) {
     if (group.end() - id > ahead) fetch(id[ahead]);
     const double offset = bins_after_origin(time(*id));
     if (!(offset >= opened_ && offset < open_end_)) continue;
-    bin(static_cast<std::int32_t>(offset)).push_back(*id);
+    put_in_bin(*id, static_cast<std::int32_t>(offset));
     ++entries_;
   }
   group.clear();
@@ -161,20 +155,24 @@ template <class Real>
 void Calendar<Real>::open_bin() {
   if (opened_ == open_end_) open_group();
   Bin& bin = this->bin(opened_);
-  entries_ -= bin.size();
   line_.erase(line_.begin(), line_.begin() + static_cast<std::ptrdiff_t>(next_));
   next_ = 0;
   const std::size_t before = line_.size();
-  for (const std::int32_t id : bin) {
-    const double offset = bins_after_origin(time(id));
-    if (offset >= opened_ && offset < opened_ + 1) line_.push_back({time(id), id});
+  line_.resize(before + bin.size);
+  auto end = line_.begin() + static_cast<std::ptrdiff_t>(before);
+  for (std::uint32_t k = 0; k < bin.size; ++k) {
+    *end = {time(bin.ids[k]), bin.ids[k]};
+    const double offset = bins_after_origin(end->time);
+    end += static_cast<int>(offset >= opened_) & static_cast<int>(offset < opened_ + 1);
   }
-  bin.clear();
+  line_.erase(end, line_.end());
+  entries_ -= std::exchange(bin.size, 0);
   std::sort(line_.begin() + static_cast<std::ptrdiff_t>(before), line_.end(), is_before);
   lined_up_ += static_cast<std::int64_t>(line_.size() - before);
   ++opened_;
   if (groups_.size() > 1 && opened_ < open_end_) {
-    for (const std::int32_t id : this->bin(opened_)) fetch(id);
+    const Bin& next = this->bin(opened_);
+    for (std::uint32_t k = 0; k < next.size; ++k) fetch(next.ids[k]);
   }
 }
 

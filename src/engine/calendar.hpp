@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -16,13 +17,14 @@ namespace zenosphere {
 /// Linear bins in time hold the numbers of the spheres that were given an event in them. Nothing is
 /// taken out of a bin: where a sphere has got another time since, its entry is void. When its turn
 /// comes a bin is opened: its events are sorted and stand in line. An event that is given later and
-/// comes before the end of the line, also one slightly in the past, goes to a small heap. When the
-/// bins are used up, or too many entries are void, a new cycle begins with a bin width fitted to
-/// the events at hand. Equal times come in the order of the spheres' numbers, so that the order of
-/// events depends on the times alone and not on the history of the calendar.
+/// comes before the end of the line, also one slightly in the past, goes to a small heap, and so
+/// does one for which its bin has no room. When the bins are used up, or too many entries are void,
+/// a new cycle begins with a bin width fitted to the events at hand. Equal times come in the order
+/// of the spheres' numbers, so that the order of events depends on the times alone and not on the
+/// history of the calendar.
 ///
-/// Many bins are put together in groups, whose events are parted when the first bin is opened: so
-/// few places are written to at a time that they stay in the cache.
+/// Later bins are put together in groups, which are parted when their first bin is opened: so few
+/// places are written to at a time that they stay in the cache.
 ///
 /// Source: bins bounded in time, G. Paul, J. Comput. Phys. 221 (2007) 615; sorted, in two steps,
 /// when their turn comes, Tang, Goh & Thng, ACM Trans. Model. Comput. Simul. 15 (2005) 175.
@@ -55,7 +57,8 @@ class Calendar {
         }
         return heap_.empty() || is_before(next, heap_.front()) ? next.id : heap_.front().id;
       }
-      if (!heap_.empty()) return heap_.front().id;
+      const bool is_next = !heap_.empty() && bins_after_origin(heap_.front().time) < opened_;
+      if (is_next) return heap_.front().id;
       if (!go_on()) return kNone;
     }
   }
@@ -83,8 +86,14 @@ class Calendar {
   void set_back(const Real& span);
 
  private:
-  using Bin = std::vector<std::int32_t>;
-  using Group = std::deque<std::int32_t>;  ///< gives back its memory when it is cleared
+  /// One line of the cache.
+  struct alignas(64) Bin {
+    static constexpr std::uint32_t room = 15;
+    std::uint32_t size = 0;
+    std::array<std::int32_t, room> ids;
+  };
+  using Group = std::deque<std::int32_t>;              ///< gives back its memory when cleared
+  static constexpr std::uint32_t kBinsInGroup = 4096;  ///< which the cache can hold
 
   bool is_void(const Event& event) const { return time(event.id) != event.time; }
   static bool is_before(const Event& a, const Event& b) {
@@ -98,20 +107,24 @@ class Calendar {
   Bin& bin(std::int32_t number) {
     return bins_[static_cast<std::size_t>(number) & (bins_.size() - 1)];
   }
+  Group& group(std::int32_t number) {
+    return groups_[static_cast<std::uint32_t>(number) / kBinsInGroup];
+  }
 
   bool go_on();
   bool start_cycle();
   void end_cycle();
   void fit_bins(const Real& first);
   void place(std::int32_t id);
+  void put_in_bin(std::int32_t id, std::int32_t number);
+  void put_in_heap(std::int32_t id);
   void open_group();
   void open_bin();
   void drop_void_heap();
 
   LargeVector<Real> times_;
-  std::int32_t bin_count_;     ///< in a cycle; a power of two
-  int group_bits_;             ///< there are 2 to the power of it in a group
-  std::vector<Bin> bins_;      ///< of the group that is open, unsorted
+  std::int32_t bin_count_;     ///< in a cycle
+  std::vector<Bin> bins_;      ///< of the group that is open, unsorted; a power of two
   std::vector<Group> groups_;  ///< of later bins
   std::int32_t opened_ = 0;    ///< bins of this cycle
   std::int32_t open_end_ = 0;  ///< the first bin that is in no group opened yet

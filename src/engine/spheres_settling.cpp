@@ -106,7 +106,7 @@ std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real
   lists_.replace(i, neighbours, changes);
   anchor_cells_.insert(i, sphere.cell, anchor(i));
   // What looks at four at once looks beyond the end: at nobody for whom it would have to wait.
-  std::fill_n(nearby_.data() + changes.fresh, 3, Neighbour(i, Way()));
+  if (!fresh.empty()) std::fill_n(nearby_.data() + changes.fresh, 3, fresh.back());
   return fresh;
 }
 

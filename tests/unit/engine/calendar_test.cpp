@@ -158,6 +158,24 @@ TEST(Calendar, TakesAnEventBeforeTheOneThatJustCame) {
   EXPECT_EQ(calendar.earliest(), 2);
 }
 
+TEST(Calendar, TakesMoreEventsThanABinHasRoomFor) {
+  constexpr std::int32_t size = 1000;
+  support::Dice dice(6);
+  Calendar<double> calendar(size);
+  std::vector<double> times;
+  for (std::int32_t id = 0; id < size; ++id) {
+    times.push_back(id % 2 == 0 ? dice.between(0, 10) : 4 + dice.between(0, 1e-9));
+    calendar.schedule(id, times.back());
+  }
+  std::sort(times.begin(), times.end());
+  for (const double time : times) {
+    const std::int32_t next = calendar.earliest();
+    ASSERT_EQ(calendar.time(next), time);
+    calendar.schedule(next, kNever);
+  }
+  EXPECT_EQ(calendar.earliest(), Calendar<double>::kNone);
+}
+
 TEST(Calendar, LinesUpTheNextEventsInOrder) {
   constexpr std::int32_t size = 25'000;
   support::Dice dice(5);
