@@ -15,6 +15,11 @@ namespace {
 /// Of lists longer than this the rest is dealt with one by one.
 constexpr std::size_t most_in_a_set = 64;
 
+/// A set of as many bits as there are neighbours that a set can tell apart.
+std::uint64_t all_of(std::size_t count) {
+  return count < most_in_a_set ? (std::uint64_t{1} << count) - 1 : ~std::uint64_t{0};
+}
+
 /// Where `wanted` stands among `count` entries, of which only the bits in `mask` count: a set of
 /// bits. Entries are compared four at a time, up to three behind the last.
 std::uint64_t places_of(const Neighbour* entries, std::size_t count, std::uint32_t wanted,
@@ -24,7 +29,7 @@ std::uint64_t places_of(const Neighbour* entries, std::size_t count, std::uint32
   for (std::size_t k = 0; k < count; k += 4) {
     places |= std::uint64_t{equal_in_four(entries + k, wanted, mask)} << k;
   }
-  return count == most_in_a_set ? places : places & ((std::uint64_t{1} << count) - 1);
+  return places & all_of(count);
 }
 
 /// What may be read behind the end of a list, since entries are read four at a time.
@@ -44,10 +49,10 @@ std::size_t fitting_record(std::size_t head, double mean) {
 /// Those of a list of which a set of bits does not say that they are kept.
 template <class Action>
 void for_each_gone(std::span<const Neighbour> list, std::uint64_t kept, Action action) {
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const bool is_kept = k < most_in_a_set && (kept >> k & 1) != 0;
-    if (!is_kept) action(list[k]);
+  for (std::uint64_t gone = all_of(list.size()) & ~kept; gone != 0; gone &= gone - 1) {
+    action(list[static_cast<std::size_t>(std::countr_zero(gone))]);
   }
+  for (std::size_t k = most_in_a_set; k < list.size(); ++k) action(list[k]);
 }
 
 }  // namespace
@@ -81,13 +86,20 @@ void NeighbourLists::drop(std::int32_t i, Neighbour neighbour) {
 
 /// Lets the list of i have `count` entries, of which those that there are stay. Returns the list.
 Neighbour* NeighbourLists::resize(std::int32_t i, std::size_t count) {
+  if (count <= room_ && !is_long(i)) [[likely]] {
+    head(i).count = static_cast<std::uint32_t>(count);
+    return usual(i);
+  }
+  return resize_long(i, count);
+}
+
+/// The same, of a list that is long before or after.
+Neighbour* NeighbourLists::resize_long(std::int32_t i, std::size_t count) {
   if (count > most) throw std::length_error("more neighbours than a sphere can have");
   Neighbour* const usual = this->usual(i);
   const std::size_t before = this->count(i);
   const bool was_long = is_long(i);
   head(i).count = static_cast<std::uint32_t>(count);
-  if (!was_long && !is_long(i)) [[likely]]
-    return usual;
   const std::uint32_t number = was_long ? usual->packed() : take_long_list();
   std::vector<Neighbour>& list = long_[number];
   if (list.size() < count + slack) list.resize(2 * count + slack);

@@ -135,6 +135,7 @@ class NeighbourLists {
   void add_one_way(std::int32_t i, Neighbour neighbour);
   void drop(std::int32_t i, Neighbour neighbour);
   Neighbour* resize(std::int32_t i, std::size_t count);
+  Neighbour* resize_long(std::int32_t i, std::size_t count);
   std::uint32_t take_long_list();
 
   std::int32_t spheres_;

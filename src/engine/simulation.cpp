@@ -101,8 +101,12 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   } else {
     meet(collision, neighbour);
   }
-  predict_from_here(collision.i);
-  if (!wall(collision.j)) predict_from_here(collision.j);
+  // A processor begins to look for the second one while it still waits for roots of the first.
+  const bool is_pair = !wall(collision.j);
+  look_ahead(collision.i);
+  if (is_pair) look_ahead(collision.j);
+  schedule(collision.i);
+  if (is_pair) schedule(collision.j);
   return collision;
 }
 

@@ -174,7 +174,7 @@ class Simulation {
 
  private:
   void predict(std::int32_t i);
-  void predict_from_here(std::int32_t i);
+  void look_ahead(std::int32_t i);
   void predict_new(std::int32_t i, std::span<const Neighbour> neighbours);
   Meeting<Real> meeting(std::int32_t j, const Real& time) const;
   NextMeetings<Real> one_by_one(std::int32_t i, std::span<const Neighbour> neighbours);

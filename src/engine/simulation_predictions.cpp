@@ -11,12 +11,13 @@ namespace zenosphere {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::predict(std::int32_t i) {
   spheres_.advance(spheres_[i], now_.remainder);
-  predict_from_here(i);
+  look_ahead(i);
+  schedule(i);
 }
 
-/// Predicts what comes next for a sphere that is stored as it is now.
+/// Finds the next meetings of a sphere that is stored as it is now.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::predict_from_here(std::int32_t i) {
+void Simulation<Dim, Real>::look_ahead(std::int32_t i) {
   const auto neighbours = spheres_.neighbours(i);
   if (const auto two = spheres_.first_contacts(i, neighbours, now_.remainder)) {
     meetings(i).set(meeting(two->first, two->first_time), meeting(two->second, two->second_time),
@@ -25,7 +26,6 @@ void Simulation<Dim, Real>::predict_from_here(std::int32_t i) {
     meetings(i) = one_by_one(i, neighbours);
   }
   if (surroundings_.walls) meetings(i).add(with_walls(i));
-  schedule(i);
 }
 
 /// Adds the meetings with new neighbours to those that are known.
@@ -132,7 +132,7 @@ void Simulation<Dim, Real>::schedule(std::int32_t i) {
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                     \
   template void Simulation<Dim, Real>::predict(std::int32_t);                                 \
-  template void Simulation<Dim, Real>::predict_from_here(std::int32_t);                       \
+  template void Simulation<Dim, Real>::look_ahead(std::int32_t);                              \
   template void Simulation<Dim, Real>::predict_new(std::int32_t, std::span<const Neighbour>); \
   template bool Simulation<Dim, Real>::is_stale(const Meeting<Real>&) const;                  \
   template bool Simulation<Dim, Real>::is_second_known(const NextMeetings<Real>&) const;      \
