@@ -51,23 +51,29 @@ const Chunk* next_of(const Chunk& chunk, const Chunk* further) {
   return chunk.next >= 0 ? further + chunk.next : nullptr;
 }
 
-/// Appends those of a row of cells that are within the distance of the target. Chunks that a cell
-/// has beside its own are among the `further` ones.
-Neighbour* find_in(std::span<const Chunk> row, const Chunk* further,
-                   const AnchorCells::Target& target, std::uint32_t way, Neighbour* found) {
-  int x = target.place[0];
-  for (const Chunk& first : row) {
-    for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
-      for (std::size_t k = 0; k < Chunk::places; ++k) {
-        const int dx = std::max(0, std::abs(chunk->xy[k][0] - x) - target.slide);
-        const int dy = chunk->xy[k][1] - target.place[1];
-        const int dz = chunk->z[k] - target.place[2];
-        if (chunk->sphere[k] != free_place && dx * dx + dy * dy + dz * dz < target.square) {
-          *found++ = Neighbour::from_packed(way | static_cast<std::uint32_t>(chunk->sphere[k]));
+std::span<const Chunk> cells_of(const AnchorCells::Row& row, const Chunk* chunks) {
+  return {chunks + row.first, chunks + row.last + 1};
+}
+
+/// Writes those in rows of cells that are within range. Chunks that a cell has beside its own are
+/// among the `further` ones.
+Neighbour* find_in(std::span<const AnchorCells::Row> rows, const AnchorCells::Range& range,
+                   const Chunk* chunks, const Chunk* further, Neighbour* found) {
+  for (const AnchorCells::Row& row : rows) {
+    int x = row.place[0];
+    for (const Chunk& first : cells_of(row, chunks)) {
+      for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
+        for (std::size_t k = 0; k < Chunk::places; ++k) {
+          const int dx = std::max(0, std::abs(chunk->xy[k][0] - x) - row.slide);
+          const int dy = chunk->xy[k][1] - row.place[1];
+          const int dz = chunk->z[k] - row.place[2];
+          if (chunk->sphere[k] != free_place && dx * dx + dy * dy + dz * dz < range.square) {
+            *found++ = Neighbour(chunk->sphere[k], row.way);
+          }
         }
       }
+      x -= range.cell_width;
     }
-    x -= target.cell_width;
   }
   return found;
 }
@@ -90,40 +96,43 @@ constexpr Compressions compressions;
 
 /// The same, a chunk at a time. It is read as if it had eight places; what is read at the last two
 /// belongs to its other members and counts for nothing.
-ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const Chunk> row, const Chunk* further,
-                                     const AnchorCells::Target& target, std::uint32_t way,
-                                     Neighbour* found) {
+ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows,
+                                     const AnchorCells::Range& range, const Chunk* chunks,
+                                     const Chunk* further, Neighbour* found) {
   const auto pair = [](std::int16_t x, std::int16_t y) {
     return static_cast<int>(static_cast<std::uint16_t>(x) |
                             static_cast<std::uint32_t>(static_cast<std::uint16_t>(y)) << 16);
   };
-  __m256i here = _mm256_set1_epi32(pair(target.place[0], target.place[1]));
-  const __m256i next_cell = _mm256_set1_epi32(pair(target.cell_width, 0));
-  const __m128i here_z = _mm_set1_epi16(target.place[2]);
-  const __m256i slide = _mm256_set1_epi32(pair(target.slide, 0));
-  const __m256i limit = _mm256_set1_epi32(target.square);
-  const __m256i ways = _mm256_set1_epi32(static_cast<int>(way));
+  const __m256i next_cell = _mm256_set1_epi32(pair(range.cell_width, 0));
+  const __m256i limit = _mm256_set1_epi32(range.square);
   constexpr unsigned all_places = (1u << Chunk::places) - 1;
-  for (const Chunk& first : row) {
-    for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
-      const auto at = [](const auto& member) { return reinterpret_cast<const __m256i*>(member); };
-      // Saturated, so that free places remain far away.
-      const __m256i xy = _mm256_subs_epu16(
-          _mm256_abs_epi16(_mm256_subs_epi16(_mm256_load_si256(at(chunk->xy)), here)), slide);
-      const __m256i z = _mm256_cvtepi16_epi32(
-          _mm_sub_epi16(_mm_load_si128(reinterpret_cast<const __m128i*>(chunk->z)), here_z));
-      const __m256i square = _mm256_add_epi32(_mm256_madd_epi16(xy, xy), _mm256_mullo_epi32(z, z));
-      const auto set = static_cast<unsigned>(_mm256_movemask_ps(
-                           _mm256_castsi256_ps(_mm256_cmpgt_epi32(limit, square)))) &
-                       all_places;
-      const __m256i spheres = _mm256_or_si256(_mm256_loadu_si256(at(chunk->sphere)), ways);
-      const __m256i order =
-          _mm256_load_si256(reinterpret_cast<const __m256i*>(compressions.lanes[set]));
-      _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
-                          _mm256_permutevar8x32_epi32(spheres, order));
-      found += __builtin_popcount(set);
+  for (const AnchorCells::Row& row : rows) {
+    __m256i here = _mm256_set1_epi32(pair(row.place[0], row.place[1]));
+    const __m128i here_z = _mm_set1_epi16(row.place[2]);
+    const __m256i slide = _mm256_set1_epi32(pair(row.slide, 0));
+    const __m256i way = _mm256_set1_epi32(static_cast<int>(Neighbour(0, row.way).packed()));
+    for (const Chunk& first : cells_of(row, chunks)) {
+      for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
+        const auto at = [](const auto& member) { return reinterpret_cast<const __m256i*>(member); };
+        // Saturated, so that free places remain far away.
+        const __m256i xy = _mm256_subs_epu16(
+            _mm256_abs_epi16(_mm256_subs_epi16(_mm256_load_si256(at(chunk->xy)), here)), slide);
+        const __m256i z = _mm256_cvtepi16_epi32(
+            _mm_sub_epi16(_mm_load_si128(reinterpret_cast<const __m128i*>(chunk->z)), here_z));
+        const __m256i square =
+            _mm256_add_epi32(_mm256_madd_epi16(xy, xy), _mm256_mullo_epi32(z, z));
+        const auto set = static_cast<unsigned>(_mm256_movemask_ps(
+                             _mm256_castsi256_ps(_mm256_cmpgt_epi32(limit, square)))) &
+                         all_places;
+        const __m256i spheres = _mm256_or_si256(_mm256_loadu_si256(at(chunk->sphere)), way);
+        const __m256i order =
+            _mm256_load_si256(reinterpret_cast<const __m256i*>(compressions.lanes[set]));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
+                            _mm256_permutevar8x32_epi32(spheres, order));
+        found += __builtin_popcount(set);
+      }
+      here = _mm256_sub_epi16(here, next_cell);
     }
-    here = _mm256_sub_epi16(here, next_cell);
   }
   return found;
 }
@@ -135,14 +144,12 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const Chunk> row, const Chunk* fu
 AnchorCells::AnchorCells(std::int32_t cells)
     : chunks_(static_cast<std::size_t>(cells), empty_chunk()) {}
 
-Neighbour* AnchorCells::find(std::int32_t first, std::int32_t last, const Target& target, Way way,
+Neighbour* AnchorCells::find(std::span<const Row> rows, const Range& range,
                              Neighbour* found) const {
-  const std::span<const Chunk> row(&chunk(first), &chunk(last) + 1);
-  const std::uint32_t code = Neighbour(0, way).packed();
 #ifdef ZENOSPHERE_HAS_WIDE_LANES
-  if (has_wide_lanes()) return find_wide(row, further_.data(), target, code, found);
+  if (has_wide_lanes()) return find_wide(rows, range, chunks_.data(), further_.data(), found);
 #endif
-  return find_in(row, further_.data(), target, code, found);
+  return find_in(rows, range, chunks_.data(), further_.data(), found);
 }
 
 void AnchorCells::insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor) {

@@ -3,12 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/anchor.hpp"
 #include "engine/fetching.hpp"
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
+#include "engine/way.hpp"
 
 namespace zenosphere {
 
@@ -23,12 +25,18 @@ class AnchorCells {
   /// reach.
   static constexpr int grains_a_cell = 6000;
 
-  /// What is looked for: anchors within a distance of a place that slides along x.
-  struct Target {
+  /// Cells that follow one another along x, and the place around which anchors are looked for
+  /// there: it may slide along x.
+  struct Row {
+    std::int32_t first, last;           ///< cells
+    Way way;                            ///< that leads there
     std::array<std::int16_t, 3> place;  ///< from the lower corner of the first cell, grains
-    std::int16_t cell_width;            ///< along x, grains
     std::int16_t slide;                 ///< how far either way, grains
-    std::int32_t square;                ///< of the distance, grains^2
+  };
+  /// What is near.
+  struct Range {
+    std::int32_t square;      ///< of the distance, grains^2
+    std::int16_t cell_width;  ///< along x, grains
   };
 
   explicit AnchorCells(std::int32_t cells);
@@ -36,12 +44,11 @@ class AnchorCells {
   void insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor);
   void remove(std::int32_t sphere, std::int32_t cell);
 
-  /// Appends the neighbours in the cells `first` to `last`, of one row, to `found`.
+  /// Writes the neighbours in rows of cells to `found`.
   ///
   /// \param found  with room for room() of each cell and `slack` more
-  /// \return       the new end
-  Neighbour* find(std::int32_t first, std::int32_t last, const Target& target, Way way,
-                  Neighbour* found) const;
+  /// \return       the end of what has been written
+  Neighbour* find(std::span<const Row> rows, const Range& range, Neighbour* found) const;
 
   /// No cell has had more spheres, or few more.
   std::size_t room() const { return longest_ * Chunk::places; }

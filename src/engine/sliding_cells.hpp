@@ -64,6 +64,17 @@ class SlidingCells {
     constexpr std::size_t z = Dim > 2 ? 2 : 0;
     constexpr int aside_y = Dim > 1 ? 1 : 0;
     constexpr int aside_z = Dim > 2 ? 1 : 0;
+    struct Row {
+      std::int32_t base = 0;  ///< its first cell in the lowest layer
+      int periods = 0;        ///< along z
+    };
+    std::array<Row, 1 + 2 * aside_z> rows;
+    if constexpr (Dim > 2) {
+      for (int step = -1; step <= 1; ++step) {
+        Row& row = rows[static_cast<std::size_t>(step + 1)];
+        row.base = wrapped(home[z] + step, cells_[z], row.periods) * strides_[z];
+      }
+    }
     const int side = cells_[0];
     for (int layers = -aside_y; layers <= aside_y; ++layers) {
       Steps<Dim> periods{};
@@ -77,15 +88,13 @@ class SlidingCells {
       for (int step = from; step <= to; ++periods[0], column = 0) {
         const int last = std::min(column + to - step, side - 1);
         const Way way(periods, layers);
-        for (int row = -aside_z; row <= aside_z; ++row) {
-          std::int32_t base = layer;
-          int period_z = 0;
-          if constexpr (Dim > 2) base += wrapped(home[z] + row, cells_[z], period_z) * strides_[z];
-          Steps<Dim> steps{};
-          steps[0] = step;
-          if constexpr (Dim > 1) steps[1] = layers;
-          if constexpr (Dim > 2) steps[2] = row;
-          visit(base + column, base + last, way.beyond_z(period_z), steps);
+        Steps<Dim> steps{step};
+        if constexpr (Dim > 1) steps[1] = layers;
+        if constexpr (Dim > 2) steps[2] = -1;
+        for (const Row& row : rows) {
+          visit(layer + row.base + column, layer + row.base + last, way.beyond_z(row.periods),
+                steps);
+          if constexpr (Dim > 2) ++steps[2];
         }
         step += last - column + 1;
       }

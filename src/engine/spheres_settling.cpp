@@ -196,25 +196,28 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
   // middle.
   const int quarter = box_.is_sheared() ? cell_grains_[0] / 4 + 1 : 0;
   const int slid = static_cast<int>(slid_columns(when) * cell_grains_[0] + 0.5) + quarter;
-  nearby_.resize(most_cells_around * anchor_cells_.room() + AnchorCells::slack);
-  Neighbour* end = nearby_.data();
-  AnchorCells::Target target{};
-  target.cell_width = static_cast<std::int16_t>(cell_grains_[0]);
-  const double distance = settling_.distance / settling_.grain;
-  target.square = static_cast<std::int32_t>(distance * distance);
   const double column =
       anchor.place[0] * settling_.grain / static_cast<double>(box_.cell_width()[0]);
-  cells_.for_each_run(
-      home, columns_within_reach(column, slid_columns(when)),
-      [&](std::int32_t first, std::int32_t last, Way way, const Steps<Dim>& steps) {
-        const int layers = SlidingCells<Dim>::layers(steps);
-        for (std::size_t axis = 0; axis < Dim; ++axis) {
-          const int ahead = steps[axis] * cell_grains_[axis] + (axis == 0 ? layers * slid : 0);
-          target.place[axis] = static_cast<std::int16_t>(anchor.place[axis] - ahead);
-        }
-        target.slide = static_cast<std::int16_t>(layers != 0 ? quarter : 0);
-        end = anchor_cells_.find(first, last, target, way, end);
-      });
+  std::array<AnchorCells::Row, most_cells_around> rows;  // a cell in each at least
+  std::size_t count = 0;
+  cells_.for_each_run(home, columns_within_reach(column, slid_columns(when)),
+                      [&](std::int32_t first, std::int32_t last, Way way, const Steps<Dim>& steps) {
+                        const int layers = SlidingCells<Dim>::layers(steps);
+                        AnchorCells::Row& row = rows[count++];
+                        row = {first, last, way, anchor.place,
+                               static_cast<std::int16_t>(layers != 0 ? quarter : 0)};
+                        row.place[0] -= static_cast<std::int16_t>(layers * slid);
+                        for (std::size_t axis = 0; axis < Dim; ++axis) {
+                          row.place[axis] -=
+                              static_cast<std::int16_t>(steps[axis] * cell_grains_[axis]);
+                        }
+                      });
+  const double distance = settling_.distance / settling_.grain;
+  const AnchorCells::Range range{static_cast<std::int32_t>(distance * distance),
+                                 static_cast<std::int16_t>(cell_grains_[0])};
+  nearby_.resize(most_cells_around * anchor_cells_.room() + AnchorCells::slack);
+  const Neighbour* const end =
+      anchor_cells_.find(std::span(rows).first(count), range, nearby_.data());
   return {nearby_.data(), static_cast<std::size_t>(end - nearby_.data())};
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
@@ -19,16 +20,17 @@ struct Place {
   Anchor anchor;
 };
 
-/// The same search, one by one.
-std::set<std::int32_t> within(const std::vector<Place>& places, const AnchorCells::Target& target) {
+/// The same search along all cells, one by one.
+std::set<std::int32_t> within(const std::vector<Place>& places, const AnchorCells::Row& row,
+                              std::int32_t square) {
   std::set<std::int32_t> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [cell, anchor] = places[i];
-    const int dx = std::abs(anchor.place[0] + cell * kWidth - target.place[0]);
-    const int along = std::max(0, dx - target.slide);
-    const int dy = anchor.place[1] - target.place[1];
-    const int dz = anchor.place[2] - target.place[2];
-    if (along * along + dy * dy + dz * dz < target.square) {
+    const int dx = std::abs(anchor.place[0] + cell * kWidth - row.place[0]);
+    const int along = std::max(0, dx - row.slide);
+    const int dy = anchor.place[1] - row.place[1];
+    const int dz = anchor.place[2] - row.place[2];
+    if (along * along + dy * dy + dz * dz < square) {
       found.insert(static_cast<std::int32_t>(i));
     }
   }
@@ -48,6 +50,7 @@ void expect_agreement(int spheres) {
     cells.insert(i, places.back().cell, places.back().anchor);
   }
   const Way way(Steps<3>{1, 0, -1}, 1);
+  const Way another_way(Steps<3>{0, 1, 0}, 0);
   for (int n = 0; n < 300; ++n) {
     const std::int32_t moved = dice.below(spheres);
     Place& place = places[static_cast<std::size_t>(moved)];
@@ -55,19 +58,27 @@ void expect_agreement(int spheres) {
     place.cell = dice.below(kCells);
     cells.insert(moved, place.cell, place.anchor);
 
-    const AnchorCells::Target target{
+    const AnchorCells::Row row{
+        .first = 0,
+        .last = kCells - 1,
+        .way = way,
         .place = {somewhere(-kWidth, 2 * kWidth), somewhere(-6000, 12000), somewhere(-6000, 12000)},
-        .cell_width = kWidth,
-        .slide = somewhere(0, n % 2 == 0 ? 1 : 2000),
-        .square = dice.below(36000000)};
+        .slide = somewhere(0, n % 2 == 0 ? 1 : 2000)};
+    std::array<AnchorCells::Row, 2> halves{row, row};
+    halves[0].last = 1;
+    halves[1].first = 2;
+    halves[1].place[0] -= 2 * kWidth;
+    halves[1].way = another_way;
+    const AnchorCells::Range range{dice.below(36000000), kWidth};
     std::vector<Neighbour> found(kCells * cells.room() + AnchorCells::slack);
-    const Neighbour* const end = cells.find(0, kCells - 1, target, way, found.data());
+    const Neighbour* const end = cells.find(halves, range, found.data());
     std::set<std::int32_t> spheres_found;
     for (const Neighbour* one = found.data(); one != end; ++one) {
-      ASSERT_EQ(one->way(), way);
+      const std::int32_t cell = places[static_cast<std::size_t>(one->sphere())].cell;
+      ASSERT_EQ(one->way(), cell < 2 ? way : another_way);
       ASSERT_TRUE(spheres_found.insert(one->sphere()).second);
     }
-    ASSERT_EQ(spheres_found, within(places, target));
+    ASSERT_EQ(spheres_found, within(places, row, range.square));
   }
 }
 
@@ -79,8 +90,8 @@ TEST(AnchorCells, FindNobodyInEmptyCells) {
   const AnchorCells cells(kCells);
   for (const auto x : {std::int16_t{-9000}, std::int16_t{0}, std::int16_t{24000}}) {
     std::vector<Neighbour> found(kCells * cells.room() + AnchorCells::slack);
-    const AnchorCells::Target target{{x, 0, 0}, kWidth, 1500, 6000 * 6000};
-    EXPECT_EQ(cells.find(0, kCells - 1, target, Way(), found.data()), found.data());
+    const std::array<AnchorCells::Row, 1> row{{{0, kCells - 1, Way(), {x, 0, 0}, 1500}}};
+    EXPECT_EQ(cells.find(row, {6000 * 6000, kWidth}, found.data()), found.data());
   }
 }
 
