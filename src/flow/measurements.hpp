@@ -75,23 +75,29 @@ class Measurements {
     }
   };
 
+  // Some are inlined where GCC would call them, for each collision: to hand vectors over in memory
+  // takes longer than to add them up.
   void start_averages(const Simulation<Dim, Real>& simulation,
                       const Collision<Dim, Real>* collision);
-  void end_flight(std::int32_t sphere, const Collision<Dim, Real>& collision,
-                  const Simulation<Dim, Real>& simulation);
+  [[gnu::always_inline]] inline void end_flight(std::int32_t sphere,
+                                                const Collision<Dim, Real>& collision,
+                                                const Simulation<Dim, Real>& simulation);
   void add_contact(const Collision<Dim, Real>& collision);
   void add_wall_contact(const Collision<Dim, Real>& collision, int wall,
                         const Simulation<Dim, Real>& simulation);
-  void add_transfer(const Impact<Dim, Real>& impact, const Vector& momentum);
-  void add_flight(Sums& sums, const Vector& velocity_at_end, const Real& duration) const;
+  [[gnu::always_inline]] inline void add_transfer(const Impact<Dim, Real>& impact,
+                                                  const Vector& momentum);
+  [[gnu::always_inline]] inline void add_flight(Sums& sums, const Vector& velocity_at_end,
+                                                const Real& duration) const;
   void add_flights_until(Sums& sums, const Instant<Real>& end,
                          const Simulation<Dim, Real>& simulation,
                          const Collision<Dim, Real>* collision) const;
   Sums sums_now(const Simulation<Dim, Real>& simulation) const;
   Real shear_work(const Sums& sums) const;
   Real kinetic_energy(const Simulation<Dim, Real>& simulation) const;
-  Vector velocity_before(std::int32_t sphere, const Collision<Dim, Real>& collision,
-                         const Simulation<Dim, Real>& simulation) const;
+  [[gnu::always_inline]] inline Vector velocity_before(
+      std::int32_t sphere, const Collision<Dim, Real>& collision,
+      const Simulation<Dim, Real>& simulation) const;
 
   Real shear_rate_;
   Vector acceleration_;

@@ -18,16 +18,6 @@ void for_each_column(CollisionRows& rows, Action action) {
 
 }  // namespace
 
-void CollisionRows::append(const CollisionRow& row) {
-  k.push_back(row.k);
-  time.push_back(row.time);
-  i.push_back(row.i);
-  j.push_back(row.j);
-  gap.push_back(row.gap);
-  normal_speed.push_back(row.normal_speed);
-  flags.push_back(row.flags);
-}
-
 void CollisionRows::reserve(std::size_t rows) {
   for_each_column(*this, [rows](auto& column) { column.reserve(rows); });
 }

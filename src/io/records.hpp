@@ -55,7 +55,15 @@ struct CollisionRows {
   std::vector<std::uint8_t> flags{};
 
   std::size_t size() const { return k.size(); }
-  void append(const CollisionRow& row);
+  void append(const CollisionRow& row) {
+    k.push_back(row.k);
+    time.push_back(row.time);
+    i.push_back(row.i);
+    j.push_back(row.j);
+    gap.push_back(row.gap);
+    normal_speed.push_back(row.normal_speed);
+    flags.push_back(row.flags);
+  }
   void reserve(std::size_t rows);
   void clear();
 
