@@ -120,8 +120,17 @@ void Calendar<Real>::put_in_bin(std::int32_t id, std::int32_t number) {
 
 template <class Real>
 void Calendar<Real>::put_in_heap(std::int32_t id) {
+  if (heap_.size() >= heap_limit_) clear_heap_of_void();
   heap_.push_back({time(id), id});
   std::push_heap(heap_.begin(), heap_.end(), is_after);
+}
+
+/// Where many events come soon, as in a cluster that collapses, most of the heap would be void.
+template <class Real>
+void Calendar<Real>::clear_heap_of_void() {
+  entries_ -= std::erase_if(heap_, [this](const Event& event) { return is_void(event); });
+  std::make_heap(heap_.begin(), heap_.end(), is_after);
+  heap_limit_ = 2 * heap_.size() + 32;
 }
 
 template <class Real>

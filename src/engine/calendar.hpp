@@ -121,6 +121,7 @@ class Calendar {
   void open_group();
   void open_bin();
   void drop_void_heap();
+  void clear_heap_of_void();
 
   LargeVector<Real> times_;
   std::int32_t bin_count_;     ///< in a cycle
@@ -132,7 +133,8 @@ class Calendar {
   std::size_t next_ = 0;  ///< in line
   std::int64_t lined_up_ = 0;
   std::vector<Event> heap_;
-  std::size_t entries_ = 0;  ///< in bins, groups and the heap
+  std::size_t heap_limit_ = 0;  ///< of entries, before it is cleared of those that are void
+  std::size_t entries_ = 0;     ///< in bins, groups and the heap
   Real origin_ = 0;
   Real bins_per_time_ = 0;
 };
