@@ -55,25 +55,23 @@ std::span<const Chunk> cells_of(const AnchorCells::Row& row, const Chunk* chunks
   return {chunks + row.first, chunks + row.last + 1};
 }
 
-/// Writes those in rows of cells that are within range. Chunks that a cell has beside its own are
+/// Writes those in a row of cells that are within range. Chunks that a cell has beside its own are
 /// among the `further` ones.
-Neighbour* find_in(std::span<const AnchorCells::Row> rows, const AnchorCells::Range& range,
+Neighbour* find_in(const AnchorCells::Row& row, const AnchorCells::Range& range,
                    const Chunk* chunks, const Chunk* further, Neighbour* found) {
-  for (const AnchorCells::Row& row : rows) {
-    int x = row.place[0];
-    for (const Chunk& first : cells_of(row, chunks)) {
-      for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
-        for (std::size_t k = 0; k < Chunk::places; ++k) {
-          const int dx = std::max(0, std::abs(chunk->xy[k][0] - x) - row.slide);
-          const int dy = chunk->xy[k][1] - row.place[1];
-          const int dz = chunk->z[k] - row.place[2];
-          if (chunk->sphere[k] != free_place && dx * dx + dy * dy + dz * dz < range.square) {
-            *found++ = Neighbour(chunk->sphere[k], row.way);
-          }
+  int x = row.place[0];
+  for (const Chunk& first : cells_of(row, chunks)) {
+    for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
+      for (std::size_t k = 0; k < Chunk::places; ++k) {
+        const int dx = std::max(0, std::abs(chunk->xy[k][0] - x) - row.slide);
+        const int dy = chunk->xy[k][1] - row.place[1];
+        const int dz = chunk->z[k] - row.place[2];
+        if (chunk->sphere[k] != free_place && dx * dx + dy * dy + dz * dz < range.square) {
+          *found++ = Neighbour(chunk->sphere[k], row.way);
         }
       }
-      x -= range.cell_width;
     }
+    x -= range.cell_width;
   }
   return found;
 }
@@ -94,8 +92,8 @@ struct Compressions {
 };
 constexpr Compressions compressions;
 
-/// The same, a chunk at a time. It is read as if it had eight places; what is read at the last two
-/// belongs to its other members and counts for nothing.
+/// The same in several rows, a chunk at a time. It is read as if it had eight places; what is read
+/// at the last two belongs to its other members and counts for nothing.
 ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows,
                                      const AnchorCells::Range& range, const Chunk* chunks,
                                      const Chunk* further, Neighbour* found) {
@@ -149,7 +147,10 @@ Neighbour* AnchorCells::find(std::span<const Row> rows, const Range& range,
 #ifdef ZENOSPHERE_HAS_WIDE_LANES
   if (has_wide_lanes()) return find_wide(rows, range, chunks_.data(), further_.data(), found);
 #endif
-  return find_in(rows, range, chunks_.data(), further_.data(), found);
+  for (const Row& row : rows) {
+    found = find_in(row, range, chunks_.data(), further_.data(), found);
+  }
+  return found;
 }
 
 void AnchorCells::insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor) {

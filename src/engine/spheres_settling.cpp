@@ -195,23 +195,23 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
   // Adjacent layers slide on by half a cell while the list lasts: a quarter either way of the
   // middle.
   const int quarter = box_.is_sheared() ? cell_grains_[0] / 4 + 1 : 0;
-  const int slid = static_cast<int>(slid_columns(when) * cell_grains_[0] + 0.5) + quarter;
+  const double slid = slid_columns(when);
+  const int slid_grains = static_cast<int>(slid * cell_grains_[0] + 0.5) + quarter;
   const double column =
       anchor.place[0] * settling_.grain / static_cast<double>(box_.cell_width()[0]);
   std::array<AnchorCells::Row, most_cells_around> rows;  // a cell in each at least
   std::size_t count = 0;
-  cells_.for_each_run(home, columns_within_reach(column, slid_columns(when)),
-                      [&](std::int32_t first, std::int32_t last, Way way, const Steps<Dim>& steps) {
-                        const int layers = SlidingCells<Dim>::layers(steps);
-                        AnchorCells::Row& row = rows[count++];
-                        row = {first, last, way, anchor.place,
-                               static_cast<std::int16_t>(layers != 0 ? quarter : 0)};
-                        row.place[0] -= static_cast<std::int16_t>(layers * slid);
-                        for (std::size_t axis = 0; axis < Dim; ++axis) {
-                          row.place[axis] -=
-                              static_cast<std::int16_t>(steps[axis] * cell_grains_[axis]);
-                        }
-                      });
+  const auto add_row = [&](std::int32_t first, std::int32_t last, Way way,
+                           const Steps<Dim>& steps) {
+    const int layers = SlidingCells<Dim>::layers(steps);
+    AnchorCells::Row& row = rows[count++];
+    row = {first, last, way, anchor.place, static_cast<std::int16_t>(layers != 0 ? quarter : 0)};
+    row.place[0] -= static_cast<std::int16_t>(layers * slid_grains);
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      row.place[axis] -= static_cast<std::int16_t>(steps[axis] * cell_grains_[axis]);
+    }
+  };
+  cells_.for_each_run(home, columns_within_reach(column, slid), add_row);
   const double distance = settling_.distance / settling_.grain;
   const AnchorCells::Range range{static_cast<std::int32_t>(distance * distance),
                                  static_cast<std::int16_t>(cell_grains_[0])};

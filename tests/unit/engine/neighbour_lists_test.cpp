@@ -71,6 +71,10 @@ void expect_agreement_with_sets(int spheres, int neighbours, int times) {
 
 TEST(NeighbourLists, AgreeWithSetsWhereListsAreShort) { expect_agreement_with_sets(12, 6, 2000); }
 
+TEST(NeighbourLists, AgreeWithSetsWhereListsFillAFewRegistersAndMore) {
+  expect_agreement_with_sets(60, 30, 1000);
+}
+
 TEST(NeighbourLists, AgreeWithSetsWhereListsAreLongerThanAWord) {
   expect_agreement_with_sets(150, 120, 300);
 }
