@@ -60,7 +60,7 @@ std::string override_of(const case_format::Key& key, const std::string& column) 
   Case untouched;
   const auto slot = key.slot(untouched);
   const bool is_file_name = std::holds_alternative<std::string*>(slot);
-  return fmt::format("{}={}", key.path(), is_file_name ? case_format::quoted(column) : column);
+  return fmt::format("{}={}", key.path(), is_file_name ? case_format::in_quotes(column) : column);
 }
 
 }  // namespace zenosphere

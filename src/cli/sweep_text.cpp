@@ -55,7 +55,7 @@ std::string progress_text(const SweepProgress& progress, const std::string& stor
 
 std::string progress_json(const SweepProgress& progress, const std::string& store) {
   return fmt::format("{{\"store\": {}, {}, \"ended_here\": {}, \"wall_seconds\": {}}}",
-                     case_format::quoted(store), counts_json(progress.counts), progress.ended_here,
+                     case_format::in_quotes(store), counts_json(progress.counts), progress.ended_here,
                      progress.wall_seconds);
 }
 
@@ -89,14 +89,14 @@ std::string plan_json(const Sweep& sweep, const SweepPlan& plan, std::size_t wor
     for (const std::string& value : json_values(axis)) {
       values += (values.empty() ? "" : ", ") + value;
     }
-    axes += fmt::format("{}{}: [{}]", axes.empty() ? "" : ", ", case_format::quoted(axis.path()),
+    axes += fmt::format("{}{}: [{}]", axes.empty() ? "" : ", ", case_format::in_quotes(axis.path()),
                         values);
   }
   return fmt::format(
       "{{\"axes\": {{{}}}, \"points\": {}, \"seeds\": {}, {}, \"workers\": {}, "
       "\"seconds_per_run\": {}, \"seconds\": {}, \"source\": {}}}",
       axes, sweep.points(), sweep.seeds, counts_json(plan.counts), workers, plan.seconds_per_run,
-      plan.seconds(workers), case_format::quoted(plan.source));
+      plan.seconds(workers), case_format::in_quotes(plan.source));
 }
 
 }  // namespace zenosphere

@@ -32,7 +32,7 @@ bool is_bare(std::string_view part) {
 /// An override as the command line has it, on one line whatever it holds.
 std::string override_text(const std::string& text) {
   const auto control = [](unsigned char c) { return std::iscntrl(c) != 0; };
-  return "--set " + (std::any_of(text.begin(), text.end(), control) ? quoted(text) : text);
+  return "--set " + (std::any_of(text.begin(), text.end(), control) ? in_quotes(text) : text);
 }
 
 std::string trimmed(const std::string& text) {
@@ -125,7 +125,7 @@ Place place_of(const toml::source_region& region, const std::string& name) {
 }
 
 std::string key_text(const std::string& part) {
-  return shortened(is_bare(part) ? part : quoted(part));
+  return shortened(is_bare(part) ? part : in_quotes(part));
 }
 
 toml::table parsed_toml(std::string_view text, const std::string& name) {
@@ -215,7 +215,7 @@ std::string array_text(const Array& array) {
 std::string shown(const Value& value) {
   const auto text = [](const auto& held) -> std::string {
     using Held = std::decay_t<decltype(held)>;
-    if constexpr (std::is_same_v<Held, std::string>) return quoted(shortened(held));
+    if constexpr (std::is_same_v<Held, std::string>) return in_quotes(shortened(held));
     if constexpr (std::is_same_v<Held, double>) return real_text(held);
     if constexpr (std::is_same_v<Held, Array>) return array_text(held);
     if constexpr (std::is_same_v<Held, Other>) return held.shown;
@@ -241,7 +241,7 @@ std::string full_array(const Array& array) {
     if (!text.empty()) text += row ? ",\n" : ", ";
     if (const auto* number = std::get_if<double>(&item)) text += real_text(*number);
     if (row) text += full_row(*row);
-    if (const auto* other = std::get_if<std::string>(&item)) text += quoted(*other);
+    if (const auto* other = std::get_if<std::string>(&item)) text += in_quotes(*other);
   }
   return '[' + text + ']';
 }
@@ -249,7 +249,7 @@ std::string full_array(const Array& array) {
 }  // namespace
 
 std::string full_text(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+  if (const auto* text = std::get_if<std::string>(&value)) return in_quotes(*text);
   if (const auto* array = std::get_if<Array>(&value)) return full_array(*array);
   return shown(value);
 }
@@ -264,7 +264,7 @@ std::string kind_of(const Value& value) {
   return "a table";
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;

@@ -68,7 +68,7 @@ std::string kind_of(const Value& value);
 std::string key_text(const std::string& part);
 
 /// Text between quotes as TOML writes it, control characters escaped.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// A real number as TOML writes it: shortest digits that read back to the same bits, with a point
 /// or an exponent.

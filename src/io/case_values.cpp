@@ -71,7 +71,7 @@ std::string choices_text() {
   const auto& words = words_of(Choice{});
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-    text += quoted(words[i].text);
+    text += in_quotes(words[i].text);
   }
   return text;
 }
@@ -83,7 +83,7 @@ Objection no_such_word(const std::string& text) {
   for (const auto& word : words_of(Choice{})) candidates.push_back(word.text);
   const auto meant = nearest(text, candidates);
   return fmt::format("(must be {})", choices) +
-         (meant ? fmt::format("; did you mean {}?", quoted(*meant)) : "");
+         (meant ? fmt::format("; did you mean {}?", in_quotes(*meant)) : "");
 }
 
 template <class Choice>
@@ -242,13 +242,13 @@ std::optional<std::string> text_of(const std::vector<std::vector<double>>& rows)
 template <class Held>
 std::optional<std::string> text_of(const Held& held) {
   if constexpr (std::is_same_v<Held, std::string>) {
-    return held.empty() ? std::nullopt : std::optional(quoted(held));
+    return held.empty() ? std::nullopt : std::optional(in_quotes(held));
   }
   if constexpr (std::is_same_v<Held, double>) return real_text(held);
   if constexpr (std::is_arithmetic_v<Held>) return fmt::format("{}", held);
   if constexpr (std::is_enum_v<Held>) {
     for (const auto& word : words_of(held)) {
-      if (word.choice == held) return quoted(word.text);
+      if (word.choice == held) return in_quotes(word.text);
     }
   }
   return std::nullopt;

@@ -108,37 +108,37 @@ class Verifier {
     const OutputInfo& info = file_.info();
     auto& notes = result_.notes;
     if (!info.complete) {
-      notes.push_back(
+      notes.emplace_back(
           "the run is not finished: there is no summary to check, and a journal beside the file is "
           "not looked at (zenosphere resume ends the run)");
     }
     if (info.complete && !info.log_complete) {
-      notes.push_back(
+      notes.emplace_back(
           "the log does not hold every collision: hits, arrest and counts of the "
           "summary were not counted again");
     }
     if (info.complete && info.log_complete) {
-      notes.push_back(
+      notes.emplace_back(
           fmt::format("hits, {}verdict and counts of the summary counted again from the "
                       "log",
                       was_raised_ ? "" : "arrest, "));
     }
     if (was_raised_) {
-      notes.push_back(
+      notes.emplace_back(
           "the precision is higher than in the case file: hits may follow the threshold of either, "
           "and the arrest was not counted again");
     }
     if (values_.collision.rotation_angle > 0) {
-      notes.push_back(
+      notes.emplace_back(
           "random rotation (collision.rotation_angle): the angles are not in the file, so that a "
           "sphere is followed from a snapshot to its first collision only");
     }
     if (snapshots_.balances() > 0) {
-      notes.push_back(
+      notes.emplace_back(
           fmt::format("energy balanced between {} pairs of snapshots", snapshots_.balances()));
     }
     if (values_.drive.kind == DriveKind::random) {
-      notes.push_back("kicks are not in the file; they were made again from the seed");
+      notes.emplace_back("kicks are not in the file; they were made again from the seed");
     }
   }
 
