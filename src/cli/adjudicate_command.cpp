@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct Arguments {
   std::vector<std::string> overrides;
   bool json = false;
   bool quiet = false;
-  Precision up_to = Precision::digits100;
-  std::int64_t collisions = 20000;
+  std::optional<Precision> up_to{};
+  std::optional<std::int64_t> collisions{};
+  double seconds = AdjudicationLimits().seconds;
 };
 
 int adjudicate(const Arguments& arguments) {
@@ -34,6 +36,7 @@ int adjudicate(const Arguments& arguments) {
                                 : read_case(arguments.file, arguments.overrides);
   AdjudicationLimits limits{.highest = arguments.up_to,
                             .collisions = arguments.collisions,
+                            .seconds = arguments.seconds,
                             .interrupt = &catch_signals()};
   if (!arguments.quiet && is_terminal()) {
     limits.on_trial = show_line;
@@ -43,7 +46,7 @@ int adjudicate(const Arguments& arguments) {
   if (is_output) keep_adjudication(arguments.file, to_json(result));
   if (!arguments.quiet) print(to_text(result));
   if (arguments.json) print(to_json(result) + '\n');
-  return exit_code::done;
+  return result.was_interrupted ? exit_code::interrupted : exit_code::done;
 }
 
 }  // namespace
@@ -59,12 +62,18 @@ void add_adjudicate(CLI::App& app, int& status) {
                                                 {"extended", Precision::extended},
                                                 {"quad", Precision::quad},
                                                 {"digits100", Precision::digits100}};
-  command.add_option("--up-to", arguments->up_to, "highest precision to try")
+  command
+      .add_option("--up-to", arguments->up_to,
+                  "highest precision to try; without it digits100, and more while digits run out")
       ->transform(CLI::CheckedTransformer(ladder))
-      ->type_name("PRECISION")
-      ->default_str("digits100");
-  command.add_option("--collisions", arguments->collisions, "of each trial after the first hit")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52))
+      ->type_name("PRECISION");
+  command
+      .add_option("--collisions", arguments->collisions,
+                  "most of each trial, after the run's hit; without it until the digits are spent "
+                  "or the spheres have flown apart")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52));
+  command.add_option("--seconds", arguments->seconds, "budget for all of it, in seconds")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   add_overrides(command, arguments->overrides);
   command.add_flag("--json", arguments->json, "print the result as one JSON object");

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "collapse/finding.hpp"
 #include "io/case.hpp"
 
 namespace zenosphere {
@@ -17,8 +17,10 @@ struct Trial {
   double gap_threshold = 0;  ///< diameters, scaled to the precision
 
   std::int64_t collisions = 0;  ///< of the whole run, at the end of the trial
-  std::string ended_by;         ///< "arrest", "overlap", "at rest", "collisions", "time"
-  std::string time;             ///< at the end, in all digits
+  /// "digits" (spent), "apart" (flown), "arrest", "overlap", "at rest", "collisions", "time",
+  /// "budget" or "interrupted"
+  std::string ended_by;
+  std::string time;  ///< at the end, in all digits
 
   std::int64_t hits = 0;  ///< of the separation criterion
   std::optional<std::int64_t> first_hit;
@@ -26,41 +28,57 @@ struct Trial {
   std::optional<std::int64_t> last_hit;
   std::int64_t absorbed = 0;  ///< collisions that changed no bit of a velocity
   std::optional<std::int64_t> arrest;
-  std::optional<std::string> collapse_time;  ///< of a geometric series, in all digits
-  std::optional<double> collapse_ratio;      ///< of its flights
-
-  /// Collisions with a gap of 10^-d to 10^-(d-1) diameters before, for d = 1, 2, ...; and those
-  /// with a computed gap of zero or less.
-  std::vector<std::int64_t> per_decade{};
-  std::int64_t without_gap = 0;
+  double deepest = 0;  ///< decades of the smallest gap above the limit of the type
 };
 
-/// What remains of a separation hit when it is done again with more digits and other rules.
-enum class Finding {
-  chance_close_pair,        ///< the hit disappears with more digits
-  finite_time_singularity,  ///< it stays, and its time converges
-  arithmetic_arrest,        ///< the clock stands still because impulses are absorbed, and only then
-  undecided
+/// When the gaps of an approach had fallen by so many decades.
+struct Milestone {
+  int decade = 0;  ///< of the median gap
+  std::int64_t collision = 0;
+  std::string time;  ///< in all digits
+};
+
+/// Where a lower precision has lost an approach: its digits were spent, or it saw other contacts.
+struct Loss {
+  Precision precision = Precision::double_precision;
+  std::optional<std::int64_t> collision{};  ///< none: it saw all of it
+  int decade = 0;                           ///< of the smallest gap up to there
+};
+
+/// One approach of a run, judged.
+struct JudgedApproach {
+  Finding finding = Finding::undecided;
+  std::string sentence{};                             ///< the finding with its evidence
+  Precision precision = Precision::double_precision;  ///< the highest that saw it
+  std::vector<std::int32_t> spheres{};                ///< ascending
+  int decades = 0;                                    ///< of the smallest gap
+  std::int64_t first_collision = 0;                   ///< of the criterion, in `precision`; or that
+  std::string first_time{};                           ///< of the smallest gap, with its time
+  std::optional<std::string> collapse_time{};         ///< decimal, to its uncertainty
+  std::optional<double> uncertainty{};                ///< of it, from the tail of its series
+  ContactWord word{};
+  std::optional<RoundRatio> ratio{};
+  std::optional<SteadyFall> steady{};
+  std::optional<double> reopened_to{};  ///< decades of the median gap
+  std::vector<Milestone> milestones{};
+  std::vector<Loss> losses{};  ///< one for each precision below
+  std::int64_t run_hit = 0;    ///< the run's first hit that belongs to it, a collision
 };
 
 struct Adjudication {
   Precision precision = Precision::double_precision;  ///< of the run itself
   OverlapRule rule = OverlapRule::rewind;             ///< likewise
-  std::int64_t hit = 0;                               ///< its first hit, a collision
-  std::int64_t from = 0;                              ///< the state after so many collisions
-  double time_between_collisions = 0;                 ///< of one sphere, mean up to the hit
-  std::vector<Trial> trials{};                        ///< the first is the run itself
-  Finding finding = Finding::undecided;
-  std::string sentence;  ///< the finding with its evidence
+  std::int64_t hits = 0;                              ///< of the run
+  std::int64_t first_hit = 0;                         ///< its first, a collision
+  std::vector<JudgedApproach> approaches{};           ///< in the order of the run's hits
+  std::int64_t left_out = 0;                          ///< groups of hits that no time was left for
+  std::vector<Trial> trials{};           ///< from before the first hit: the first is the run itself
+  Finding finding = Finding::undecided;  ///< the strongest of its approaches
+  std::string sentence{};
+  bool was_interrupted = false;
 };
 
-/// Judges the trials: sets finding and sentence.
-void conclude(Adjudication& adjudication);
-
-/// "chance close pair" and so on.
-const char* word(Finding finding);
-
-/// One JSON object; a table for people, a line for each trial.
+/// One JSON object; text for people, with a line for each approach and each trial.
 std::string to_json(const Adjudication& adjudication);
 std::string to_text(const Adjudication& adjudication);
 

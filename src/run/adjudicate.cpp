@@ -3,197 +3,42 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
+#include <chrono>
 #include <optional>
 #include <utility>
 
-#include "collapse/arrest_criterion.hpp"
-#include "collapse/collapse_time.hpp"
-#include "collapse/separation_criterion.hpp"
-#include "flow/measurements.hpp"
-#include "io/case_file.hpp"
 #include "io/case_words.hpp"
 #include "model/errors.hpp"
 #include "run/arithmetic.hpp"
-#include "run/random_driving.hpp"
-#include "run/setup.hpp"
+#include "run/followed_group.hpp"
+#include "run/hit_groups.hpp"
+#include "run/judge_group.hpp"
+#include "run/trial_run.hpp"
 
 namespace zenosphere {
 
 namespace {
 
-/// Most digits after the point that a gap is sorted by: below lie only the subnormal numbers.
-constexpr std::size_t most_decades = 307;
+using Clock = std::chrono::steady_clock;
 
-/// A run that is watched by the criteria and recorded nowhere.
-template <int Dim, class Real>
-class Watched {
- public:
-  Watched(const Case& values, const std::atomic<bool>* interrupt)
-      : Watched(values, interrupt, new_simulation<Dim, Real>(values)) {}
+constexpr std::array ladder{Precision::double_precision, Precision::extended, Precision::quad,
+                            Precision::digits100};
+constexpr std::array rules{OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded,
+                           OverlapRule::stop};
 
-  /// Goes on from the state that `state()` gave, perhaps in fewer digits.
-  Watched(const Case& values, const std::atomic<bool>* interrupt, ArchiveReader archive)
-      : Watched(values, interrupt, archived_simulation<Dim, Real>(values, archive)) {
-    archive(driving_);
-  }
+/// What a trial may take of the time that is left: precisions below the highest only tell how far
+/// they see.
+constexpr double share_of_highest = 0.75;
+constexpr double share_of_others = 0.1;
 
-  /// Goes on until there are so many collisions or hits, or as its case has it.
-  void go(std::int64_t collisions, std::int64_t hits) {
-    while (!is_over(collisions, hits)) {
-      if (const auto collision = simulation_.collision_until(next_pause())) {
-        observe(*collision);
-      } else if (simulation_.is_waiting()) {
-        simulation_.wait_until(next_pause());
-        if (simulation_.has_reached(driving_.next_kick())) {
-          driving_.kick(simulation_, measurements_);
-        }
-      }
-    }
-    if (const auto& pair = simulation_.stopped_before()) separation_.observe_next(pair->gap);
-  }
-
-  /// The state of the engine and of what drives it.
-  Bytes state() const {
-    ArchiveWriter archive;
-    simulation_.archive_to(archive);
-    archive(driving_);
-    return archive.release();
-  }
-
-  std::optional<std::int64_t> first_hit() const { return separation_.first_collision(); }
-  std::int64_t collisions() const { return simulation_.collisions(); }
-  double time() const { return simulation_.time(); }
-
-  Trial trial() const {
-    const auto text = [](const std::optional<Real>& number) {
-      return number ? std::optional(to_decimal(*number)) : std::nullopt;
-    };
-    Trial trial;
-    trial.precision = values_.collision.precision;
-    trial.rule = values_.collision.overlap;
-    trial.gap_threshold = values_.collapse.gap_threshold;
-    trial.collisions = simulation_.collisions();
-    trial.ended_by = ended_by_;
-    trial.time = to_decimal(exactly_since_start(simulation_.now(), simulation_.box().clock_unit()));
-    trial.hits = separation_.hits();
-    trial.first_hit = separation_.first_collision();
-    trial.first_hit_time = text(separation_.first_time());
-    trial.last_hit = separation_.last_collision();
-    trial.absorbed = absorbed_;
-    trial.arrest = arrest_.collision();
-    trial.collapse_time = text(collapse_time_.time());
-    if (collapse_time_.ratio()) trial.collapse_ratio = static_cast<double>(*collapse_time_.ratio());
-    trial.per_decade = per_decade_;
-    trial.without_gap = without_gap_;
-    return trial;
-  }
-
- private:
-  Watched(const Case& values, const std::atomic<bool>* interrupt, Simulation<Dim, Real> simulation)
-      : values_(values),
-        interrupt_(interrupt),
-        simulation_(std::move(simulation)),
-        driving_(values),
-        separation_(values.collapse.gap_threshold, simulation_.box().clock_unit()),
-        arrest_(values.collapse.gap_threshold, values.collapse.window,
-                simulation_.box().clock_unit()),
-        collapse_time_(simulation_.box().clock_unit()),
-        measurements_(simulation_, std::numeric_limits<double>::infinity()) {}
-
-  void observe(const Collision<Dim, Real>& collision) {
-    separation_.observe(collision);
-    arrest_.observe(collision);
-    collapse_time_.observe(collision);
-    absorbed_ += collision.absorbed;
-    const double gap = static_cast<double>(collision.gap_before);
-    if (!(gap > 0)) {
-      ++without_gap_;
-      return;
-    }
-    const auto digits = static_cast<std::size_t>(std::max(1.0, std::ceil(-std::log10(gap))));
-    const std::size_t decade = std::min(digits, most_decades) - 1;
-    if (per_decade_.size() <= decade) per_decade_.resize(decade + 1);
-    ++per_decade_[decade];
-  }
-
-  /// Sets why the trial ends, once it does.
-  bool is_over(std::int64_t collisions, std::int64_t hits) {
-    const auto& limits = values_.run;
-    if (interrupt_ && *interrupt_) throw InputError("interrupted; nothing was stored");
-    if (arrest_.is_met()) {
-      ended_by_ = "arrest";
-    } else if (simulation_.stopped_before()) {
-      ended_by_ = "overlap";
-    } else if (simulation_.is_at_rest() && !driving_.is_on()) {
-      ended_by_ = "at rest";
-    } else if (simulation_.collisions() >= collisions || separation_.hits() >= hits) {
-      ended_by_ = "collisions";
-    } else if (limits.time && simulation_.has_reached(*limits.time)) {
-      ended_by_ = "time";
-    }
-    return !ended_by_.empty();
-  }
-
-  double next_pause() const {
-    const double end = values_.run.time.value_or(std::numeric_limits<double>::max());
-    return std::min(end, driving_.next_kick());
-  }
-
-  Case values_;
-  const std::atomic<bool>* interrupt_;
-  Simulation<Dim, Real> simulation_;
-  RandomDriving<Dim, Real> driving_;
-  SeparationCriterion<Dim, Real> separation_;
-  ArrestCriterion<Dim, Real> arrest_;
-  CollapseTime<Dim, Real> collapse_time_;
-  Measurements<Dim, Real> measurements_;
-  std::int64_t absorbed_ = 0;
-  std::vector<std::int64_t> per_decade_;
-  std::int64_t without_gap_ = 0;
-  std::string ended_by_;
-};
-
-constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
-
-/// A state before the first hit of a run.
+/// A state of the run from which a group of hits is followed.
 struct Before {
-  std::int64_t hit = 0;
-  double time = 0;  ///< of the hit
+  HitGroup group;
   std::int64_t collisions = 0;
-  int digits = 0;  ///< of the numbers in `state`
+  int digits = 0;  ///< bits of the numbers in `state`
   Bytes state{};
 };
-
-template <int Dim, class Real>
-Before state_before_hit(const Case& values, const std::atomic<bool>* interrupt) {
-  Watched<Dim, Real> whole(values, interrupt);
-  whole.go(values.run.collisions.value_or(kNoLimit), 1);
-  if (!whole.first_hit()) {
-    throw InputError(fmt::format(
-        "no separation hit in {} collisions: there is nothing to adjudicate; raise run.collisions "
-        "or run.time, or choose another case",
-        whole.collisions()));
-  }
-  Before before{
-      .hit = *whole.first_hit(), .time = whole.time(), .digits = std::numeric_limits<Real>::digits};
-  const std::int64_t lead = std::max<std::int64_t>(values.system.spheres, 100);
-  Watched<Dim, Real> again(values, interrupt);
-  again.go(std::max<std::int64_t>(before.hit - lead, 0), kNoLimit);
-  before.collisions = again.collisions();
-  before.state = again.state();
-  return before;
-}
-
-template <int Dim, class Real>
-Trial trial_from(const Before& before, const Case& values, const AdjudicationLimits& limits) {
-  ArchiveReader state(before.state);
-  if (before.digits < std::numeric_limits<Real>::digits) state.promote_from(before.digits);
-  Watched<Dim, Real> watched(values, limits.interrupt, state);
-  watched.go(before.hit + limits.collisions, kNoLimit);
-  return watched.trial();
-}
 
 /// The case of a trial: another precision, with its threshold, and another rule.
 Case case_of_trial(Case values, Precision precision, OverlapRule rule) {
@@ -205,43 +50,182 @@ Case case_of_trial(Case values, Precision precision, OverlapRule rule) {
   return values;
 }
 
+/// Does an adjudication, group after group, as long as there is time.
+class Adjudicator {
+ public:
+  Adjudicator(const Case& values, const AdjudicationLimits& limits)
+      : values_(values), limits_(limits), highest_(limits.highest.value_or(ladder.back())) {
+    const auto seconds = std::chrono::duration<double>(std::min(limits.seconds, 1e9));
+    deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(seconds);
+    result_.precision = values.collision.precision;
+    result_.rule = values.collision.overlap;
+  }
+
+  Adjudication go() {
+    in_arithmetic_of(values_, [&]<int Dim, class Real>() { adjudicate_run<Dim, Real>(); });
+    conclude();
+    return std::move(result_);
+  }
+
+ private:
+  template <int Dim, class Real>
+  void adjudicate_run() {
+    const std::vector<HitGroup> groups = groups_of_run<Dim, Real>();
+    TrialRun<Dim, Real> run(values_);
+    for (std::size_t n = 0; n < groups.size(); ++n) {
+      if (is_over()) {
+        result_.left_out = static_cast<std::int64_t>(groups.size() - n);
+        return;
+      }
+      run.go({.collisions = std::max(beginning_of(groups, n), run.collisions())});
+      const Before before{groups[n], run.collisions(), std::numeric_limits<Real>::digits,
+                          run.state()};
+      announce_ = fmt::format("hits from collision {} on ({} of {})", groups[n].first_hit, n + 1,
+                              groups.size());
+      follow(before);
+      if (n == 0) try_other_rules(before);
+    }
+  }
+
+  /// The collision from whose state on a group is followed: a collision a sphere before its first
+  /// hit, at least a hundred. Where other hits lie between, whose rounding a trial would not share,
+  /// it is where the gaps of the group begin to be small.
+  std::int64_t beginning_of(const std::vector<HitGroup>& groups, std::size_t n) const {
+    const std::int64_t hit = groups[n].first_hit;
+    const std::int64_t lead = std::max<std::int64_t>(values_.system.spheres, 100);
+    const std::int64_t from = std::max<std::int64_t>(hit - lead, 0);
+    const bool is_free =
+        std::none_of(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(n),
+                     [&](const HitGroup& group) { return group.last_hit >= from; });
+    return is_free ? from : std::max(from, groups[n].from);
+  }
+
+  /// Does the run once, to see what hits there are.
+  template <int Dim, class Real>
+  std::vector<HitGroup> groups_of_run() {
+    TrialRun<Dim, Real> run(values_);
+    run.gather_hits();
+    run.go({.collisions = values_.run.collisions.value_or(TrialEnd().collisions),
+            .interrupt = limits_.interrupt});
+    result_.was_interrupted = run.ended_by() == "interrupted";
+    result_.hits = run.hits();
+    auto groups = run.hit_groups();
+    if (run.arrest().is_met()) mark_arrest(run.arrest(), groups);
+    if (groups.empty()) {
+      throw InputError(
+          fmt::format("no separation hit in {} collisions: there is nothing to adjudicate; raise "
+                      "run.collisions or run.time, or choose another case",
+                      run.collisions()));
+    }
+    result_.first_hit = groups.front().first_hit;
+    return groups;
+  }
+
+  /// Tells the last group of the spheres that repeat in an arrest of it.
+  template <int Dim, class Real>
+  static void mark_arrest(const ArrestCriterion<Dim, Real>& arrest, std::vector<HitGroup>& groups) {
+    const std::int32_t sphere = arrest.pairs().front().first;
+    const auto last = std::find_if(groups.rbegin(), groups.rend(), [&](const HitGroup& group) {
+      return std::binary_search(group.spheres.begin(), group.spheres.end(), sphere);
+    });
+    if (last != groups.rend()) last->arrest = arrest.collision();
+  }
+
+  /// Follows a group up the ladder, and judges what the highest precision has seen.
+  void follow(const Before& before) {
+    std::vector<FollowedGroup> trials;
+    for (const Precision precision : ladder) {
+      if (precision < result_.precision || precision > highest_ || is_over()) continue;
+      trials.push_back(followed(before, precision, result_.rule));
+      if (trials.back().trial.ended_by == "interrupted") result_.was_interrupted = true;
+    }
+    if (trials.empty()) return;
+    const auto judged = judge_group(before.group, trials);
+    result_.approaches.insert(result_.approaches.end(), judged.begin(), judged.end());
+    if (!result_.trials.empty()) return;
+    for (const FollowedGroup& trial : trials) result_.trials.push_back(trial.trial);
+  }
+
+  /// What the other rules make of the first group in the run's own precision.
+  void try_other_rules(const Before& before) {
+    for (const OverlapRule rule : rules) {
+      if (rule == result_.rule || is_over()) continue;
+      result_.trials.push_back(followed(before, result_.precision, rule).trial);
+    }
+  }
+
+  FollowedGroup followed(const Before& before, Precision precision, OverlapRule rule) {
+    const Case trial = case_of_trial(values_, precision, rule);
+    if (limits_.on_trial) {
+      limits_.on_trial(fmt::format("{}, {}, {}", announce_, word(precision), word(rule)));
+    }
+    return in_arithmetic_of(
+        trial, [&]<int Dim, class Real>() { return followed_in<Dim, Real>(before, trial); });
+  }
+
+  template <int Dim, class Real>
+  FollowedGroup followed_in(const Before& before, const Case& values) {
+    const auto start = Clock::now();
+    ArchiveReader state(before.state);
+    if (before.digits < std::numeric_limits<Real>::digits) state.promote_from(before.digits);
+    TrialRun<Dim, Real> trial(values, state);
+    trial.keep_collisions();
+    const bool is_highest = values.collision.precision == highest_;
+    TrialEnd end{.followed = before.group,
+                 .deadline = share_of_time(is_highest ? share_of_highest : share_of_others),
+                 .interrupt = limits_.interrupt};
+    if (limits_.collisions) end.collisions = before.group.first_hit + *limits_.collisions;
+    trial.go(end);
+    return {.trial = trial.trial(),
+            .limit = trial.limit(),
+            .seconds = std::chrono::duration<double>(Clock::now() - start).count(),
+            .first_number = trial.kept().first_number,
+            .rows = trial.kept().rows,
+            .seen = approaches_seen(trial.kept(), trial.limit(), trial.spheres(), before.group)};
+  }
+
+  /// The moment at which a share of the time that is left will be over.
+  Clock::time_point share_of_time(double share) const {
+    const auto now = Clock::now();
+    return now + std::chrono::duration_cast<Clock::duration>((deadline_ - now) * share);
+  }
+
+  bool is_over() const { return result_.was_interrupted || Clock::now() > deadline_; }
+
+  /// The strongest of the findings, and how many there are of each.
+  void conclude() {
+    if (result_.approaches.empty()) {
+      result_.sentence = "there was no time to follow any hit";
+      return;
+    }
+    const auto strongest = std::max_element(
+        result_.approaches.begin(), result_.approaches.end(),
+        [](const JudgedApproach& a, const JudgedApproach& b) { return a.finding < b.finding; });
+    result_.finding = strongest->finding;
+    result_.sentence = strongest->sentence;
+    if (result_.left_out > 0) {
+      result_.sentence += fmt::format(
+          "; for {} more groups of hits there was no time (raise --seconds)", result_.left_out);
+    }
+  }
+
+  const Case& values_;
+  const AdjudicationLimits& limits_;
+  Precision highest_;
+  Clock::time_point deadline_;
+  std::string announce_;
+  Adjudication result_;
+};
+
 }  // namespace
 
 Adjudication adjudicate(const Case& values, const AdjudicationLimits& limits) {
-  Adjudication result;
-  result.precision = values.collision.precision;
-  result.rule = values.collision.overlap;
-  if (limits.highest < result.precision) {
+  if (limits.highest && *limits.highest < values.collision.precision) {
     throw InputError(fmt::format(
         "the run is in {} already, and digits cannot be taken away; choose a higher --up-to",
-        word(result.precision)));
+        word(values.collision.precision)));
   }
-  const Before before = in_arithmetic_of(values, [&]<int Dim, class Real>() {
-    return state_before_hit<Dim, Real>(values, limits.interrupt);
-  });
-  result.hit = before.hit;
-  result.from = before.collisions;
-  result.time_between_collisions = before.time * static_cast<double>(values.system.spheres) /
-                                   static_cast<double>(2 * std::max<std::int64_t>(before.hit, 1));
-  constexpr std::array rules{OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded,
-                             OverlapRule::stop};
-  const auto add = [&](Precision precision, OverlapRule rule) {
-    const Case trial = case_of_trial(values, precision, rule);
-    if (limits.on_trial) limits.on_trial(fmt::format("{}, {}", word(precision), word(rule)));
-    result.trials.push_back(in_arithmetic_of(trial, [&]<int Dim, class Real>() {
-      return trial_from<Dim, Real>(before, trial, limits);
-    }));
-  };
-  for (const Precision precision :
-       {Precision::double_precision, Precision::extended, Precision::quad, Precision::digits100}) {
-    if (precision < result.precision || precision > limits.highest) continue;
-    add(precision, result.rule);
-    for (const OverlapRule rule : rules) {
-      if (rule != result.rule) add(precision, rule);
-    }
-  }
-  conclude(result);
-  return result;
+  return Adjudicator(values, limits).go();
 }
 
 }  // namespace zenosphere

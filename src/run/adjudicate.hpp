@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "io/adjudication.hpp"
@@ -10,20 +11,24 @@
 
 namespace zenosphere {
 
-/// How much a trial may cost.
+/// How much an adjudication may cost.
 struct AdjudicationLimits {
-  Precision highest = Precision::digits100;
-  std::int64_t collisions = 20000;  ///< of each trial, after the run's first hit
+  std::optional<Precision> highest{};        ///< none: digits100, and more while digits run out
+  std::optional<std::int64_t> collisions{};  ///< of each trial, after the run's hit
+  double seconds = 120;
   const std::atomic<bool>* interrupt = nullptr;
-  std::function<void(const std::string&)> on_trial{};  ///< called before each, with its name
+  std::function<void(const std::string&)> on_trial{};  ///< called before each, with what it is
 };
 
-/// Physics or rounding? Goes back to a state before the first separation hit of a run, and goes on
-/// from there in every precision from the run's own upwards and under every overlap rule.
+/// Physics or rounding? Finds the separation hits of a run, and follows each group of them, from a
+/// state before it, in every precision from the run's own upwards, until the digits are spent, the
+/// spheres have flown apart, or a limit is reached. What approached is judged in the highest
+/// precision.
 ///
-/// The run is done again from its start up to two collisions a sphere before the hit: close enough
-/// for all precisions to meet the same hit before chaos parts them. That state is promoted: its
-/// numbers are the same in more digits.
+/// The run is done again from its start. A group is followed from a collision a sphere (at least a
+/// hundred collisions) before its first hit: close enough for all precisions to meet the same
+/// spheres before chaos parts them. That state is promoted: its numbers are the same in more
+/// digits.
 ///
 /// Throws InputError where the run has no separation hit within the limits of its case.
 Adjudication adjudicate(const Case& values, const AdjudicationLimits& limits);

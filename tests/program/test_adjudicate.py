@@ -1,4 +1,4 @@
-"""Physics or rounding: a state before the first hit, gone on with in more digits and by other rules."""
+"""Physics or rounding: groups of hits, followed in more digits until they are spent or reopened."""
 
 import json
 import pathlib
@@ -10,6 +10,27 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 RODS = EXAMPLES / "bernu-mazighi-1990-three-rods.toml"
 TRIPLE = EXAMPLES / "schorghofer-zhou-1996-triple.toml"
 SHEAR = EXAMPLES / "shear-e02.toml"
+FALSE_POSITIVE = EXAMPLES / "shear-e06.toml"
+
+GIVEN = """
+[system]
+dimension = {dimension}
+spheres = {spheres}
+restitution = {restitution}
+sides = {sides}
+[start]
+arrangement = "given"
+positions = {positions}
+velocities = {velocities}
+[drive]
+kind = "none"
+[collision]
+overlap = "rewind"
+[collapse]
+window = 1000
+[run]
+time = 30
+"""
 
 
 def adjudicated(program, *words):
@@ -23,12 +44,27 @@ def trial(result, precision, overlap="rewind"):
     return found[0]
 
 
-def test_three_rods_are_a_singularity_at_forty_elevenths(program):
+def given(program, name, **values):
+    path = program.folder / name
+    path.write_text(GIVEN.format(**values))
+    return path
+
+
+def test_three_rods_are_singular_at_forty_elevenths(program):
     result = adjudicated(program, RODS)
-    assert result["finding"] == "finite-time singularity"
-    # 40/11 = 3.(63): sixty digits after the point
-    assert trial(result, "digits100")["collapse_time"].startswith("3." + "63" * 30)
+    assert result["finding"] in ("singular", "proven")
+    approach = result["approaches"][0]
+    # 40/11 = 3.(63): fifty digits after the point
+    assert approach["collapse_time"].startswith("3." + "63" * 25)
+    assert approach["uncertainty"] < 1e-50
+    assert approach["word"] == "ab" and approach["word_is_periodic"]
+    assert approach["round_ratio"]["ratio"] == pytest.approx(0.3125**2)
+    assert approach["spheres"] == [0, 1, 2]
+    assert approach["decades"] >= 99
     assert trial(result, "double")["first_hit"] < trial(result, "digits100")["first_hit"]
+    # Each precision sees the same contacts until its digits are spent.
+    lost = {loss["precision"]: loss["decade"] for loss in approach["lost_by"]}
+    assert 14 <= lost["double"] <= 18 and 30 <= lost["quad"] <= 36
 
 
 def test_elastic_triple_is_a_chance_close_pair(program):
@@ -38,17 +74,62 @@ def test_elastic_triple_is_a_chance_close_pair(program):
     assert [trial(result, p)["hits"] for p in ("extended", "quad", "digits100")] == [0, 0, 0]
 
 
+def test_paper_false_positive_at_e06_is_a_collapse_of_the_spheres(program):
+    """The case that the paper calls a false positive: a hundred digits are spent by a row of spheres
+    that collapses, after an approach that reopened at 1e-46. It must never be called false again."""
+    result = adjudicated(program, FALSE_POSITIVE, "--set", "run.collisions=16000")
+    assert result["finding"] == "singular"
+    first = result["approaches"][0]
+    assert first["finding"] == "near-collapse" and 35 <= first["decades"] <= 60
+    singular = next(a for a in result["approaches"] if a["finding"] == "singular")
+    assert singular["first_time"].startswith("0.7102181549433285969")
+    assert singular["collapse_time"].startswith("0.7102181549433285969")
+    assert singular["first_collision"] == 137252
+    assert singular["steady_fall"]["decades"] > 40
+    assert singular["decades"] >= 99
+
+
 def test_collapse_under_shear_stays_with_more_digits(program):
-    result = adjudicated(program, SHEAR, "--up-to", "quad", "--collisions", "200",
-                         "--set", "system.spheres=500")
-    assert result["finding"] == "finite-time singularity"
-    assert len(result["trials"]) == 3 * 4  # precisions x rules
+    case = [SHEAR, "--set", "system.spheres=500", "--set", "run.collisions=20000"]
+    result = adjudicated(program, *case, "--up-to", "quad")
+    assert result["finding"] == "singular"
+    assert [t["precision"] for t in result["trials"][:3]] == ["double", "extended", "quad"]
+    assert {t["overlap"] for t in result["trials"]} == {"rewind", "immediate", "guarded", "stop"}
     # The first trial is the run itself, bit for bit.
-    whole = json.loads(program("run", SHEAR, "--json", "--quiet", "--set", "system.spheres=500",
-                               "--set", "run.collisions=20000").stdout.splitlines()[-1])
+    whole = json.loads(program("run", *case, "--json", "--quiet").stdout.splitlines()[-1])
     assert result["first_hit"] == whole["separation"]["first_collision"]
     assert trial(result, "double")["first_hit"] == result["first_hit"]
     assert float(trial(result, "double")["first_hit_time"]) == whole["separation"]["first_time"]
+
+
+@pytest.mark.parametrize("name, values", [
+    ("three elastic rods that meet symmetrically",
+     dict(dimension=1, spheres=3, restitution=1, sides=[30], positions=[1, 10, 19],
+          velocities=[1, 0, -1])),
+    ("Newton's cradle",
+     dict(dimension=1, spheres=6, restitution=1, sides=[40], positions=[5, 10, 11, 12, 13, 14],
+          velocities=[1, 0, 0, 0, 0, 0])),
+])
+def test_symmetric_contacts_are_exact_and_no_singularity(program, name, values):
+    result = adjudicated(program, given(program, "symmetric.toml", **values))
+    assert {a["finding"] for a in result["approaches"]} == {"exact contact"}, name
+
+
+def test_four_rods_below_their_threshold_are_singular(program):
+    """e = 0.17 < 3 - 2 sqrt(2); the word of contacts repeats, and its ratio settles."""
+    case = given(program, "four.toml", dimension=1, spheres=4, restitution=0.17, sides=[100],
+                 positions=[10, 11.2, 12.7, 14], velocities=[1, 0, 0, -1])
+    result = adjudicated(program, case)
+    assert result["finding"] in ("singular", "proven")
+    strongest = next(a for a in result["approaches"] if a["finding"] == result["finding"])
+    assert strongest["spheres"] == [0, 1, 2, 3]
+    assert strongest["word_is_periodic"]
+
+
+def test_budget_leaves_what_it_found(program):
+    result = adjudicated(program, FALSE_POSITIVE, "--seconds", "0.5",
+                         "--set", "run.collisions=16000")
+    assert result["finding"] == "undecided" or result["approaches"]
 
 
 def test_adjudication_is_kept_in_the_output_file(program):

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "io/adjudication.hpp"
+#include "run/followed_group.hpp"
+#include "run/hit_groups.hpp"
+
+namespace zenosphere {
+
+/// The findings about a group of hits, each with the sentence that says what was required for it.
+///
+/// What counts is the highest precision; the others tell how far they saw the same contacts.
+///
+/// \param ladder  trials from one state, ascending in precision, the first in that of the run
+std::vector<JudgedApproach> judge_group(const HitGroup& group,
+                                        const std::vector<FollowedGroup>& ladder);
+
+/// Whether more digits may tell more: an approach has used up those there were without a decision.
+bool wants_more_digits(const std::vector<JudgedApproach>& judged, const FollowedGroup& top);
+
+}  // namespace zenosphere

@@ -1,0 +1,159 @@
+#include "run/trial_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/instantiate.hpp"
+
+namespace zenosphere {
+namespace {
+
+bool is_of(const HitGroup& group, const DepthRow& row) {
+  const auto is_in = [&](std::int32_t sphere) {
+    return std::binary_search(group.spheres.begin(), group.spheres.end(), sphere);
+  };
+  return is_in(row.i) || is_in(row.j);
+}
+
+}  // namespace
+
+template <int Dim, class Real>
+TrialRun<Dim, Real>::TrialRun(const Case& values)
+    : TrialRun(values, new_simulation<Dim, Real>(values)) {}
+
+template <int Dim, class Real>
+TrialRun<Dim, Real>::TrialRun(const Case& values, ArchiveReader& archive)
+    : TrialRun(values, archived_simulation<Dim, Real>(values, archive)) {
+  archive(driving_);
+}
+
+template <int Dim, class Real>
+TrialRun<Dim, Real>::TrialRun(const Case& values, Simulation<Dim, Real> simulation)
+    : values_(values),
+      limit_(-std::log10(default_gap_threshold(values.collision.precision))),
+      simulation_(std::move(simulation)),
+      driving_(values),
+      separation_(values.collapse.gap_threshold, simulation_.box().clock_unit()),
+      arrest_(values.collapse.gap_threshold, values.collapse.window,
+              simulation_.box().clock_unit()),
+      measurements_(simulation_, std::numeric_limits<double>::infinity()) {}
+
+template <int Dim, class Real>
+void TrialRun<Dim, Real>::go(const TrialEnd& end) {
+  while (!is_over(end)) {
+    if (const auto collision = simulation_.collision_until(next_pause())) {
+      observe(*collision, end);
+    } else if (simulation_.is_waiting()) {
+      simulation_.wait_until(next_pause());
+      if (simulation_.has_reached(driving_.next_kick())) {
+        driving_.kick(simulation_, measurements_);
+      }
+    }
+  }
+  if (const auto& pair = simulation_.stopped_before()) separation_.observe_next(pair->gap);
+}
+
+template <int Dim, class Real>
+Bytes TrialRun<Dim, Real>::state() const {
+  ArchiveWriter archive;
+  simulation_.archive_to(archive);
+  archive(driving_);
+  return archive.release();
+}
+
+template <int Dim, class Real>
+Trial TrialRun<Dim, Real>::trial() const {
+  Trial trial;
+  trial.precision = values_.collision.precision;
+  trial.rule = values_.collision.overlap;
+  trial.gap_threshold = values_.collapse.gap_threshold;
+  trial.collisions = simulation_.collisions();
+  trial.ended_by = ended_by_;
+  trial.time = to_decimal(exactly_since_start(simulation_.now(), simulation_.box().clock_unit()));
+  trial.hits = separation_.hits();
+  trial.first_hit = separation_.first_collision();
+  if (const auto& time = separation_.first_time()) trial.first_hit_time = to_decimal(*time);
+  trial.last_hit = separation_.last_collision();
+  trial.absorbed = absorbed_;
+  trial.arrest = arrest_.collision();
+  trial.deepest = deepest_;
+  return trial;
+}
+
+template <int Dim, class Real>
+void TrialRun<Dim, Real>::observe(const Collision<Dim, Real>& collision, const TrialEnd& end) {
+  const std::int64_t hits = separation_.hits();
+  separation_.observe(collision);
+  arrest_.observe(collision);
+  absorbed_ += collision.absorbed;
+  // The start is not a state after a collision.
+  const double depth = collision.number > 1 ? decades_of(collision.gap_before, limit_) : 0.0;
+  const DepthRow row{collision.i, collision.j, depth, depth >= limit_};
+  if (!row.at_limit) deepest_ = std::max(deepest_, row.depth);
+  if (end.followed && row.depth >= least_approach_depth && is_of(*end.followed, row)) {
+    last_deep_ = collision.number;
+    // Within a decade of the limit a gap is a unit or two in the last place.
+    rows_at_limit_ += row.depth >= limit_ - 1;
+  }
+  if (hit_groups_) {
+    if (separation_.hits() > hits) hit_groups_->observe_hit(collision.number - 1, last_time_, row);
+    hit_groups_->observe(collision.number, row);
+    last_time_ = simulation_.time();
+  }
+  if (kept_) keep(row, collision);
+}
+
+template <int Dim, class Real>
+void TrialRun<Dim, Real>::keep(const DepthRow& row, const Collision<Dim, Real>& collision) {
+  if (kept_->rows.empty()) kept_->first_number = collision.number;
+  kept_->rows.push_back(row);
+  kept_->times.push_back(exactly_since_start(collision.time, simulation_.box().clock_unit()));
+  const Real& speed = collision.impact.normal_speed;
+  const Real elastic = simulation_.wall(collision.j) ? Real(2 * speed) : speed;
+  kept_->dissipative.push_back(speed > 0 && collision.impact.impulse < elastic);
+}
+
+template <int Dim, class Real>
+bool TrialRun<Dim, Real>::is_over(const TrialEnd& end) {
+  ended_by_ = what_ends(end);
+  return !ended_by_.empty();
+}
+
+template <int Dim, class Real>
+std::string TrialRun<Dim, Real>::what_ends(const TrialEnd& end) {
+  if (end.interrupt && *end.interrupt) return "interrupted";
+  if (arrest_.is_met()) return "arrest";
+  if (simulation_.stopped_before()) return "overlap";
+  if (simulation_.is_at_rest() && !driving_.is_on()) return "at rest";
+  if (simulation_.collisions() >= end.collisions) return "collisions";
+  if (values_.run.time && simulation_.has_reached(*values_.run.time)) return "time";
+  if (std::chrono::steady_clock::now() > end.deadline) return "budget";
+  return end.followed ? what_ends(*end.followed) : "";
+}
+
+/// Whether the digits of a followed group are spent, or its spheres have long flown apart: a
+/// thousand collisions without a small gap, and a tenth of the time between two collisions of a
+/// sphere behind the last hit of the run.
+template <int Dim, class Real>
+std::string TrialRun<Dim, Real>::what_ends(const HitGroup& followed) const {
+  constexpr std::int64_t enough_at_limit = 32;
+  constexpr std::int64_t quiet_collisions = 1000;
+  if (rows_at_limit_ >= enough_at_limit) return "digits";
+  const std::int64_t last = std::max(last_deep_, followed.first_hit);
+  if (simulation_.collisions() <= last + quiet_collisions) return "";
+  const double between = mean_time_between_collisions(followed, spheres());
+  return simulation_.time() > followed.last_time + between / 10 ? "apart" : "";
+}
+
+template <int Dim, class Real>
+double TrialRun<Dim, Real>::next_pause() const {
+  const double end = values_.run.time.value_or(std::numeric_limits<double>::max());
+  return std::min(end, driving_.next_kick());
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real) template class TrialRun<Dim, Real>;
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere
