@@ -40,7 +40,7 @@ Loss loss_of(const FollowedGroup& lower, const FollowedGroup& top, const SeenApp
     while (other < lower.rows.size() && !is_in(lower.rows[other])) ++other;
     const bool is_same =
         other < lower.rows.size() && lower.rows[other].i == row.i && lower.rows[other].j == row.j;
-    if (!is_same) {
+    if (!is_same || lower.rows[other].at_limit) {
       loss.collision = top.first_number + static_cast<std::int64_t>(k);
       break;
     }
