@@ -29,6 +29,15 @@ double in_dimension(const std::array<double, 3>& densest, const Case& values) {
   return densest[static_cast<std::size_t>(values.system.dimension) - 1];
 }
 
+/// A number in six digits, or in as many as it takes to see that it is not the limit.
+std::string told_apart(double number, double limit) {
+  for (int digits = 6; digits < 17; ++digits) {
+    std::string text = fmt::format("{:.{}g}", number, digits);
+    if ((std::stod(text) < limit) == (number < limit) && std::stod(text) != limit) return text;
+  }
+  return fmt::format("{}", number);
+}
+
 bool is_lattice(const Case& values) { return values.start.arrangement == Arrangement::fcc; }
 
 /// The first axis along which the box is too narrow, if there is one.
@@ -44,7 +53,8 @@ std::optional<int> narrow_axis(const Case& values) {
 /// Whether the box can hold its spheres, or it is not yet known how large it is.
 bool box_is_wide_enough(std::int64_t spheres, const Case& values) {
   const auto& system = values.system;
-  const bool is_known = system.dimension > 0 && system.solids_volume_fraction > 0 &&
+  constexpr double thinnest = 1e-100;  // far beyond the largest box
+  const bool is_known = system.dimension > 0 && system.solids_volume_fraction > thinnest &&
                         system.solids_volume_fraction <= in_dimension(densest_packing, values);
   if (!is_known || !system.sides.empty()) return true;
   Case box;
@@ -146,15 +156,40 @@ Objection lattice_in_a_cuboid(const Case& values) {
   return "(fcc fills a cube); make them equal or use start.arrangement = \"random\"";
 }
 
+/// The smallest fraction at which no side of the box is too long.
+double least_fraction(const Case& values) {
+  const int dimension = values.system.dimension;
+  const double ratio = dimension == 1 ? 1 : values.system.aspect_ratio;
+  const double other = ratio < 1 ? longest_side : longest_side / ratio;
+  double volume = ratio * other;
+  for (int axis = 1; axis < dimension; ++axis) volume *= other;
+  Case largest;
+  largest.system.dimension = dimension;
+  largest.system.spheres = values.system.spheres;
+  largest.system.sides = {volume};
+  return filled_fraction(largest);
+}
+
+Objection box_too_long(const Case& values) {
+  if (!values.system.sides.empty()) return std::nullopt;
+  const double least = least_fraction(values);
+  if (!(values.system.solids_volume_fraction < least)) return std::nullopt;
+  constexpr double above_rounding = 1.006;  // of three digits
+  return fmt::format("(a side of the box would be above {} diameters); use at least {:.3g}",
+                     longest_side, above_rounding * least);
+}
+
 /// `the box side would be 1.9 diameters, must be above 2.02`
 std::string narrowness(const Case& values, int axis) {
   const auto& system = values.system;
+  const double side = box_sides(values)[static_cast<std::size_t>(axis)];
+  const double least = least_side(closed_axis(values) == axis);
   const bool is_cube = system.sides.empty() && system.aspect_ratio == 1 && !values.walls.axis;
-  return fmt::format("the box side{} {} {:.6g} diameters, must be above {:.3g}",
+  return fmt::format("the box side{} {} {} diameters, must be above {}",
                      is_cube ? "" : fmt::format(" along {}", axis_letter(axis)),
                      system.sides.empty() ? "would be" : "is",
-                     box_sides(values)[static_cast<std::size_t>(axis)],
-                     least_side(closed_axis(values) == axis));
+                     system.sides.empty() ? told_apart(side, least) : fmt::format("{}", side),
+                     least);
 }
 
 Objection too_few_for_the_box(const Case& values) {
@@ -176,9 +211,12 @@ Objection sides_hold_too_little(const Case& values) {
   const bool random = values.start.arrangement == Arrangement::random;
   const double densest = in_dimension(random ? densest_random : densest_packing, values);
   const double fraction = filled_fraction(values);
+  if (values.system.dimension == 1 && fraction == 1) {
+    return "(the rods would fill the box; rods need room); use longer sides";
+  }
   if (fraction <= densest) return std::nullopt;
-  return fmt::format("({} spheres would fill {:.6g} of the box, at most {}{}); use longer sides",
-                     values.system.spheres, fraction, densest,
+  return fmt::format("({} spheres would fill {} of the box, at most {}{}); use longer sides",
+                     values.system.spheres, told_apart(fraction, densest), densest,
                      random ? " for start.arrangement = \"random\"" : "");
 }
 
@@ -189,9 +227,9 @@ Objection lattice_touches_walls(const Case& values) {
       box_sides(values).front() / static_cast<double>(cells_a_side(values.system.spheres));
   if (spacing / 4 >= 0.5) return std::nullopt;
   return fmt::format(
-      "(the first layer of fcc would be {:.6g} diameters from the wall, must be at "
+      "(the first layer of fcc would be {} diameters from the wall, must be at "
       "least 0.5); use start.arrangement = \"random\" or a larger box",
-      spacing / 4);
+      told_apart(spacing / 4, 0.5));
 }
 
 }  // namespace
@@ -206,6 +244,9 @@ std::span<const Rule> box_rules() {
       {{"system.solids_volume_fraction", "system.dimension"}, denser_than_packed},
       {{"system.solids_volume_fraction", "system.dimension", "start.arrangement"},
        too_dense_for_random},
+      {{"system.solids_volume_fraction", "system.dimension", "system.spheres", "system.sides",
+        "system.aspect_ratio"},
+       box_too_long},
       {{"system.aspect_ratio", "start.arrangement"}, lattice_is_stretched},
       {{"system.sides", "start.arrangement"}, lattice_in_a_cuboid},
       {{"system.spheres", "system.dimension", "system.solids_volume_fraction", "system.sides",

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "io/case_box.hpp"
 #include "io/spelling.hpp"
 #include "model/limits.hpp"
 
@@ -75,10 +76,10 @@ constexpr Condition only_windowed = {
 constexpr double longest_window = 1e8;
 // Thirty years at a million collisions a second, and every count up to it is exact in a double.
 constexpr double most_collisions = 1e15;
-// A coordinate at the far end is still good to a millionth of a diameter.
-constexpr double longest_side = 1e9;
 // Beyond every run, and far below the time at which a sphere that never met has met.
 constexpr double longest_contact = 1e100;
+// Every collision faster than 1e-100 is wholly inelastic then.
+constexpr double most_viscoelastic = 1e100;
 // A right angle: a pair may still recede then, whatever its velocity.
 constexpr double widest_rotation = 1.57;
 
@@ -99,7 +100,8 @@ constexpr std::array key_table{
     Key{"system", "sides", optional, [](Case& c) -> Slot { return &c.system.sides; },
         above_to(1, longest_side), nullptr, "of the box [diameters]"},
     Key{"system", "aspect_ratio", optional, [](Case& c) -> Slot { return &c.system.aspect_ratio; },
-        above_to(0.01, 100), &only_in_a_proportion, "side of the box along x / each other side"},
+        above_to(0.01, 100, "for others give system.sides"), &only_in_a_proportion,
+        "side of the box along x / each other side"},
     Key{"start", "arrangement", required, [](Case& c) -> Slot { return &c.start.arrangement; }, any,
         nullptr, "how the spheres are placed"},
     Key{"start", "granular_temperature", optional,
@@ -147,8 +149,9 @@ constexpr std::array key_table{
         [](Case& c) -> Slot { return &c.collision.restitution_law; }, any, nullptr,
         "how the restitution depends on the speed"},
     Key{"collision", "viscoelastic_constant", required,
-        [](Case& c) -> Slot { return &c.collision.viscoelastic_constant; }, above(0),
-        &only_viscoelastic, "A in e = 1 - C1 A v^(1/5) + ... [(time/diameter)^(1/5)]"},
+        [](Case& c) -> Slot { return &c.collision.viscoelastic_constant; },
+        above_to(0, most_viscoelastic), &only_viscoelastic,
+        "A in e = 1 - C1 A v^(1/5) + ... [(time/diameter)^(1/5)]"},
     Key{"collision", "contact_duration", optional,
         [](Case& c) -> Slot { return &c.collision.contact_duration; },
         from_to(0, longest_contact, "0 is off"), nullptr,

@@ -103,8 +103,10 @@ TEST(CaseSystems, SidesFitTheDimensionAndTheSpheres) {
             "system.sides = [4.2] (4 spheres would fill 0.952381 of the box, at most 0.95 for "
             "start.arrangement = \"random\"); use longer sides");
   EXPECT_EQ(objection(ball_case, "system.sides=[1.5]"), "");
-  EXPECT_EQ(objection(ball_case, "system.sides=[1.0000000001]"),
-            "system.sides = [1.0000000001] (the box side along x is 1 diameters, must be above 1)");
+  EXPECT_EQ(
+      objection(ball_case, "system.sides=[1.0000000001]"),
+      "system.sides = [1.0000000001] (the box side along x is 1.0000000001 diameters, must be "
+      "above 1.000000001)");
 }
 
 TEST(CaseSystems, FractionHasALimitForEachDimension) {
@@ -119,6 +121,50 @@ TEST(CaseSystems, FractionHasALimitForEachDimension) {
   EXPECT_EQ(objection(rod_case, "system.solids_volume_fraction=0.95"), "");
   EXPECT_EQ(objection(rod_case, "system.solids_volume_fraction=1"),
             "system.solids_volume_fraction = 1 (must be below 1; rods need room)");
+}
+
+TEST(CaseSystems, BoxFromAFractionHasTheLongestSideOfOneThatIsGiven) {
+  // 2000 spheres of pi/6 in a cube of side 1e9 fill 2000 pi/6 / 1e27 = 1.0472e-24 of it.
+  const std::string cube = replaced(cooling_case, "spheres = 4000", "spheres = 2000");
+  const std::string random = replaced(cube, "\"fcc\"", "\"random\"");
+  EXPECT_EQ(objection(random, "system.solids_volume_fraction=1.048e-24"), "");
+  for (const std::string fraction : {"1e-24", "1e-30", "1e-300", "3e-308"}) {
+    EXPECT_EQ(objection(random, "system.solids_volume_fraction=" + fraction),
+              "system.solids_volume_fraction = " + fraction +
+                  " (a side of the box would be above 1000000000 diameters); use at least "
+                  "1.05e-24");
+  }
+  EXPECT_EQ(objection(random, "system.solids_volume_fraction=1.05e-24"), "");
+  // 100 x 1 disks: 4000 pi/4 / (1e9 x 1e7) = 3.14e-13; rods: 4 / 1e9.
+  const std::string strip = in_plane(cooling_case);
+  EXPECT_EQ(
+      problems_of(strip, {"system.aspect_ratio=100", "system.solids_volume_fraction=3.15e-13"}),
+      "");
+  EXPECT_NE(problems_of(strip, {"system.aspect_ratio=100", "system.solids_volume_fraction=3e-13"}),
+            "");
+  EXPECT_EQ(objection(rod_case, "system.solids_volume_fraction=4e-9"), "");
+  EXPECT_NE(objection(rod_case, "system.solids_volume_fraction=3.9e-9"), "");
+  const Case longest = overridden(random, {"system.solids_volume_fraction=1.05e-24"});
+  EXPECT_LE(box_sides(longest)[0], 1e9);
+}
+
+TEST(CaseSystems, RodsNeedRoomHoweverTheBoxIsGiven) {
+  const std::string given =
+      replaced(replaced(rod_case, "\"random\"", "\"given\"\npositions = [0, 1, 2, 3]"),
+               "solids_volume_fraction = 0.5", "sides = [4]");
+  EXPECT_EQ(problems_of(given),
+            "e.toml:5:9: system.sides = [4] (the rods would fill the box; rods need room); use "
+            "longer sides");
+}
+
+TEST(CaseSystems, ANumberBesideItsLimitHasTheDigitsThatTellThemApart) {
+  EXPECT_EQ(objection(triple_case, "system.sides=[2.02, 2.0199999999]"),
+            "system.sides = [2.02, 2.0199999999] (the box side along x is 2.02 diameters, must be "
+            "above 2.02)");
+  // N = 4 in 4 / 0.9500000001 = 4.2105263153.
+  EXPECT_EQ(objection(rod_case, "system.sides=[4.2105263153]"),
+            "system.sides = [4.2105263153] (4 spheres would fill 0.9500000001 of the box, at most "
+            "0.95 for start.arrangement = \"random\"); use longer sides");
 }
 
 TEST(CaseSystems, FccIsThreeDimensional) {
