@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/case_limits.hpp"
+#include "io/case_numbers.hpp"
 #include "io/case_toml.hpp"
 
 namespace zenosphere::case_format {
@@ -133,6 +134,14 @@ toml::table parsed_toml(std::string_view text, const std::string& name) {
     throw InputError(
         fmt::format("{}: {}", Place::in_file(name, excess->line, 1).text, excess->what));
   }
+  if (const auto wrong = first_wrong_number(text)) {
+    const std::string_view before = text.substr(0, wrong->at);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t begin = before.rfind('\n') + 1;  // 0 in the first line
+    const auto column = static_cast<std::int64_t>(wrong->at - begin) + 1;
+    throw InputError(
+        fmt::format("{}: {}", Place::in_file(name, line, column).text, wrong->objection));
+  }
   try {
     return toml::parse(text, std::string_view{});
   } catch (const toml::parse_error& error) {
@@ -179,6 +188,10 @@ std::vector<Entry> entries_of(std::span<const std::string> overrides, Problems& 
     }
     const std::string key = trimmed(text.substr(0, equals));
     const std::string written = trimmed(text.substr(equals + 1));
+    if (const auto wrong = first_wrong_number("= " + written)) {
+      problems.add(place, fmt::format("{} = {}", key, wrong->objection));
+      continue;
+    }
     const std::size_t dot = key.find('.');
     const bool dotted = dot != std::string::npos;
     entries.push_back({dotted ? key.substr(0, dot) : "", dotted ? key.substr(dot + 1) : key,

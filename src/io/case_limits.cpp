@@ -28,7 +28,7 @@ class Walk {
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '"' || c == '\'') {
-        skip_string(c);
+        at_ = end_of_string(text_, at_);
       } else if (c == '#') {
         at_ = std::min(text_.find('\n', at_), text_.size());
       } else {
@@ -65,23 +65,6 @@ class Walk {
     }
   }
 
-  bool stands_here(std::string_view mark) const { return text_.substr(at_).starts_with(mark); }
-
-  /// Goes behind a string, or to the end of the line or text where it does not end.
-  void skip_string(char quote) {
-    const std::string three(3, quote);
-    const bool long_string = stands_here(three);
-    const std::string_view end = long_string ? std::string_view(three) : text_.substr(at_, 1);
-    at_ += end.size();
-    while (at_ < text_.size() && !stands_here(end) && (long_string || text_[at_] != '\n')) {
-      at_ += quote == '"' && text_[at_] == '\\' ? 2 : 1;
-    }
-    if (at_ >= text_.size() || !stands_here(end)) return;
-    at_ += end.size();
-    // The end of a long string may stand behind one or two quotes that belong to it.
-    for (int extra = 0; long_string && extra < 2 && stands_here(end.substr(0, 1)); ++extra) ++at_;
-  }
-
   std::string_view text_;
   std::size_t at_ = 0;
   int depth_ = 0;
@@ -93,6 +76,24 @@ class Walk {
 std::optional<Excess> excess_in(std::string_view text) {
   if (auto excess = line_too_long(text)) return excess;
   return Walk(text).first_excess();
+}
+
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const auto stands_here = [&](std::string_view mark) { return text.substr(at).starts_with(mark); };
+  const std::string three(3, quote);
+  const bool long_string = stands_here(three);
+  const std::string_view end = long_string ? std::string_view(three) : text.substr(at, 1);
+  at += end.size();
+  while (at < text.size() && !stands_here(end) && (long_string || text[at] != '\n')) {
+    at += quote == '"' && text[at] == '\\' ? 2 : 1;
+  }
+  if (at >= text.size()) return text.size();
+  if (!stands_here(end)) return at;
+  at += end.size();
+  // The end of a long string may stand behind one or two quotes that belong to it.
+  for (int extra = 0; long_string && extra < 2 && stands_here(end.substr(0, 1)); ++extra) ++at;
+  return at;
 }
 
 }  // namespace zenosphere::case_format
