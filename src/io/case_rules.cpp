@@ -85,7 +85,7 @@ Objection log_ends_before_it_begins(const Case& values) {
   return fmt::format("(must be >= output.log_first = {})", output.log_first);
 }
 
-/// The box, then what is in it, then what is done to it.
+/// The box, then what is in it, then what is done to it, then how fast all that is.
 std::vector<Rule> all_rules() {
   std::vector<Rule> rules(box_rules().begin(), box_rules().end());
   const std::vector<Rule> others{
@@ -105,6 +105,7 @@ std::vector<Rule> all_rules() {
        nothing_moves_as_given},
       {{"output.log_last", "output.log_first"}, log_ends_before_it_begins}};
   rules.insert(rules.end(), others.begin(), others.end());
+  rules.insert(rules.end(), speed_rules().begin(), speed_rules().end());
   return rules;
 }
 

@@ -24,6 +24,9 @@ std::span<const Rule> rules();
 /// The rules about the box and how many spheres fit into it; they come first in rules().
 std::span<const Rule> box_rules();
 
+/// The rules about speeds: what a number type can hold, and tell apart.
+std::span<const Rule> speed_rules();
+
 /// Two keys of which a case needs one.
 struct Choice {
   std::array<std::string_view, 2> keys;  ///< the second may be empty

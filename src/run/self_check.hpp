@@ -58,6 +58,9 @@ class SelfCheck {
   void note_disorder(const Collision<Dim, Real>& collision);
   void look_at_momentum(const Simulation<Dim, Real>& simulation);
   void look_at_places(const Simulation<Dim, Real>& simulation);
+  /// The speeds that are rounded, summed up: under shear they have the profile of a layer in them,
+  /// which may be far above those of the spheres among each other.
+  Real speeds_with_profile(const Simulation<Dim, Real>& simulation) const;
   Vector expected_momentum(const Simulation<Dim, Real>& simulation) const;
   void look_at_overlaps(const Simulation<Dim, Real>& simulation,
                         const Configuration<Dim, Real>& state);

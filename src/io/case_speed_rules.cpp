@@ -1,0 +1,241 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "io/case_box.hpp"
+#include "io/case_rules.hpp"
+#include "io/case_speeds.hpp"
+#include "io/case_words.hpp"
+
+namespace zenosphere::case_format {
+namespace {
+
+using Objection = std::optional<std::string>;
+
+/// Most kicks and most snapshots of a run: as many as collisions, each count exact in a double.
+constexpr double most_intervals = 1e15;
+
+/// Part of the thermal speed that the rounding of a larger speed may be.
+constexpr double most_rounding = 0.01;
+
+/// Diameters by which the rounding of a time may misplace a sphere. The self-check lets pass more.
+constexpr double most_misplaced = 1e-6;
+
+/// Distance from 1 to the next number.
+double rounding_of(Precision precision) {
+  switch (precision) {
+    case Precision::extended:
+      return 0x1p-63;
+    case Precision::quad:
+      return 0x1p-112;
+    case Precision::digits100:
+      return 0x1p-333;
+    case Precision::double_precision:
+      break;
+  }
+  return 0x1p-52;
+}
+
+/// `must be 0 or in [1e-100, 1e+100]`
+std::string range_text() { return fmt::format("must be 0 or in [{:g}, {:g}]", slowest, fastest); }
+
+bool is_right(double speed) {
+  return speed == 0 || (std::abs(speed) >= slowest && std::abs(speed) <= fastest);
+}
+
+/// `(what is 1e+120 diameters/time, must be 0 or in ...)` where it is not.
+Objection unless_right(double speed, std::string_view what) {
+  if (is_right(speed)) return std::nullopt;
+  return fmt::format("({} is {:.3g} diameters/time, {}); choose another unit of time", what, speed,
+                     range_text());
+}
+
+double side_along(const Case& values, int axis) {
+  return box_sides(values)[static_cast<std::size_t>(axis)];
+}
+
+bool has_box(const Case& values) {
+  return !values.system.sides.empty() || values.system.solids_volume_fraction > 0;
+}
+
+Objection temperature_out_of_range(const Case& values) {
+  const double temperature = values.start.granular_temperature.value_or(0);
+  const double least = slowest * slowest;
+  const double most = fastest * fastest;
+  if (temperature == 0 || (temperature >= least && temperature <= most)) return std::nullopt;
+  return fmt::format("(must be 0 or in [{:g}, {:g}]); choose another unit of time", least, most);
+}
+
+Objection written_speeds_out_of_range(const Case& values) {
+  std::vector<double> velocities;
+  for (const auto& row : values.start.velocities) {
+    velocities.insert(velocities.end(), row.begin(), row.end());
+  }
+  const auto wrong = wrong_speed(velocities, values.system.dimension);
+  return wrong ? Objection(fmt::format("({}); choose another unit of time", *wrong)) : std::nullopt;
+}
+
+double speed_across(const Case& values) {
+  const bool is_sheared = values.drive.kind == DriveKind::shear && values.system.dimension > 1;
+  return is_sheared && has_box(values) ? values.drive.shear_rate * side_along(values, 1) : 0;
+}
+
+Objection shear_out_of_range(const Case& values) {
+  return unless_right(speed_across(values), "the speed across the box");
+}
+
+/// A start is drawn to a temperature. What the profile's rounding is beside it is lost.
+Objection shear_drowns_temperature(const Case& values) {
+  const double temperature = values.start.granular_temperature.value_or(0);
+  const double across = speed_across(values);
+  const double rounding = rounding_of(values.collision.precision);
+  const double most = most_rounding * std::sqrt(temperature) / rounding;
+  if (temperature == 0 || across <= most) return std::nullopt;
+  return fmt::format(
+      "(the speed across the box is rounded to {:.2g} in {}, the thermal speed is {:.3g}); use at "
+      "most {:.3g}, a higher start.granular_temperature or more digits in collision.precision",
+      across * rounding, word(values.collision.precision), std::sqrt(temperature),
+      0.994 * most / side_along(values, 1));  // below it in three digits
+}
+
+Objection gravity_out_of_range(const Case& values) {
+  const auto& acceleration = values.gravity.acceleration;
+  if (!has_box(values)) return std::nullopt;
+  for (std::size_t axis = 0; axis < acceleration.size(); ++axis) {
+    const double speed = std::sqrt(std::abs(acceleration[axis])) *
+                         std::sqrt(2 * side_along(values, static_cast<int>(axis)));
+    if (const auto wrong = unless_right(speed, "the speed after a fall through the box")) {
+      return wrong;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Where no wall stops it, gravity makes all spheres equally fast: that must leave the digits of
+/// what they do among each other.
+Objection fall_drowns_temperature(const Case& values) {
+  const double temperature = values.start.granular_temperature.value_or(0);
+  const double time = values.run.time.value_or(0);
+  const double most =
+      most_rounding * std::sqrt(temperature) / rounding_of(values.collision.precision);
+  const auto& acceleration = values.gravity.acceleration;
+  for (std::size_t axis = 0; axis < acceleration.size(); ++axis) {
+    const double speed = std::abs(acceleration[axis]) * time;
+    const bool is_stopped = closed_axis(values) == static_cast<int>(axis);
+    if (is_stopped || temperature == 0 || speed <= most) continue;
+    return fmt::format(
+        "(all fall at {:.3g} diameters/time at run.time, which is rounded to {:.2g} in {}; the "
+        "thermal speed is {:.3g}); end the run earlier or use more digits in collision.precision",
+        speed, speed * rounding_of(values.collision.precision), word(values.collision.precision),
+        std::sqrt(temperature));
+  }
+  return std::nullopt;
+}
+
+Objection kicks_out_of_range(const Case& values) {
+  const auto& drive = values.drive;
+  if (drive.kind != DriveKind::random) return std::nullopt;
+  const double strength = std::sqrt(drive.noise_strength);
+  if (auto wrong = unless_right(strength * std::sqrt(drive.kick_interval), "the speed of a kick")) {
+    return wrong;
+  }
+  const double flown = strength * std::sqrt(drive.kick_interval) * drive.kick_interval;
+  const double misplaced = flown * rounding_of(values.collision.precision);
+  if (misplaced > most_misplaced) {
+    return fmt::format(
+        "(a sphere flies {:.3g} diameters between kicks, which is rounded to {:.2g} in {}, must be "
+        "at most {:g}); kick more often or use more digits in collision.precision",
+        flown, misplaced, word(values.collision.precision), most_misplaced);
+  }
+  const double time = std::max(values.run.time.value_or(0), drive.kick_interval);
+  return unless_right(strength * std::sqrt(time), "the speed that all kicks give a sphere");
+}
+
+/// What a sphere gets of a rough wall must leave it a place when it first meets the wall, at a time
+/// that is known to some digits only.
+Objection wall_out_of_range(double speed, const Case& values) {
+  if (const auto wrong = unless_right(speed, "it")) return wrong;
+  const double temperature = values.start.granular_temperature.value_or(0);
+  const bool is_rough = values.walls.tangential_restitution > -1;
+  if (temperature == 0 || !is_rough || !values.walls.axis || !has_box(values)) return std::nullopt;
+  const double until_wall = side_along(values, *closed_axis(values)) / std::sqrt(temperature);
+  const double misplaced = std::abs(speed) * until_wall * rounding_of(values.collision.precision);
+  if (misplaced <= most_misplaced) return std::nullopt;
+  return fmt::format(
+      "(beside a thermal speed of {:.3g} the rounding of time in {} is {:.2g} diameters, must be "
+      "at most {:g}); use a slower wall or more digits in collision.precision",
+      std::sqrt(temperature), word(values.collision.precision), misplaced, most_misplaced);
+}
+
+Objection lower_wall_out_of_range(const Case& values) {
+  return wall_out_of_range(values.walls.lower_speed, values);
+}
+
+Objection upper_wall_out_of_range(const Case& values) {
+  return wall_out_of_range(values.walls.upper_speed, values);
+}
+
+Objection too_often(double interval, const Case& values) {
+  const double time = values.run.time.value_or(0);
+  if (!(time / interval > most_intervals)) return std::nullopt;
+  return fmt::format("(more than {:g} until run.time = {}); use a longer one", most_intervals,
+                     time);
+}
+
+Objection kicks_too_often(const Case& values) {
+  const bool is_kicked = values.drive.kind == DriveKind::random;
+  return is_kicked ? too_often(values.drive.kick_interval, values) : std::nullopt;
+}
+
+Objection snapshots_too_often(const Case& values) {
+  const auto& interval = values.output.snapshot_interval;
+  return interval ? too_often(*interval, values) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> wrong_speed(const std::vector<double>& velocities, int dimension) {
+  const auto is_slower = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto most = std::max_element(velocities.begin(), velocities.end(), is_slower);
+  if (most == velocities.end() || is_right(*most)) return std::nullopt;
+  return fmt::format("the fastest sphere, {}, has a velocity of {:g}; {}",
+                     (most - velocities.begin()) / dimension, *most, range_text());
+}
+
+std::span<const Rule> speed_rules() {
+  constexpr std::string_view fraction = "system.solids_volume_fraction";
+  static const std::vector<Rule> rules{
+      {{"start.granular_temperature"}, temperature_out_of_range},
+      {{"start.velocities", "system.dimension"}, written_speeds_out_of_range},
+      {{"drive.shear_rate", "drive.kind", "system.dimension", "system.sides", fraction,
+        "system.aspect_ratio", "system.spheres"},
+       shear_out_of_range},
+      {{"drive.shear_rate", "drive.kind", "system.dimension", "system.sides", fraction,
+        "system.aspect_ratio", "system.spheres", "start.granular_temperature",
+        "collision.precision"},
+       shear_drowns_temperature},
+      {{"gravity.acceleration", "system.dimension", "system.sides", fraction, "system.aspect_ratio",
+        "system.spheres"},
+       gravity_out_of_range},
+      {{"gravity.acceleration", "walls.axis", "start.granular_temperature", "run.time",
+        "collision.precision"},
+       fall_drowns_temperature},
+      {{"drive.noise_strength", "drive.kind", "drive.kick_interval", "run.time",
+        "collision.precision"},
+       kicks_out_of_range},
+      {{"walls.lower_speed", "walls.axis", "walls.tangential_restitution",
+        "start.granular_temperature", "system.dimension", "system.sides", fraction,
+        "system.aspect_ratio", "system.spheres", "collision.precision"},
+       lower_wall_out_of_range},
+      {{"walls.upper_speed", "walls.axis", "walls.tangential_restitution",
+        "start.granular_temperature", "system.dimension", "system.sides", fraction,
+        "system.aspect_ratio", "system.spheres", "collision.precision"},
+       upper_wall_out_of_range},
+      {{"drive.kick_interval", "drive.kind", "run.time"}, kicks_too_often},
+      {{"output.snapshot_interval", "run.time"}, snapshots_too_often}};
+  return rules;
+}
+
+}  // namespace zenosphere::case_format
