@@ -1,29 +1,35 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace zenosphere {
 
 /// One frame of an extended XYZ file, row-major.
 struct XyzFrame {
-  std::vector<double> positions;   ///< N x D, diameters
+  std::vector<double> positions;   ///< N x D from the lowest corner of the box, diameters
   std::vector<double> velocities;  ///< N x D, diameters/time; empty if the file has none
-  std::vector<double> sides;       ///< D, diameters; empty if the file has no Lattice
+  std::vector<double> sides;       ///< D, diameters
+  std::optional<std::array<bool, 3>> is_periodic;  ///< along x, y, z; none: not told
+  bool needs_masses = false;  ///< the velocities are momenta of spheres of unknown mass
 };
 
 /// Reads the last frame of an extended XYZ file.
 ///
 /// A frame is a line with the number of spheres, a line with Lattice="..." and Properties=..., and
 /// one line a sphere. Of the columns that Properties names, `pos` and `velo` (also `vel`,
-/// `velocity`, `velocities`) are read, the others skipped; without Properties, the columns are a
-/// word and three coordinates. In fewer than three dimensions the coordinates beyond must be 0.
+/// `velocity`, `velocities`, `momenta`) are read; `radius`, `diameter` and `mass` must be those of
+/// a unit sphere; the others are skipped. Without Properties, the columns are a word and three
+/// coordinates. In fewer than three dimensions the coordinates beyond must be 0. `Origin` is the
+/// lowest corner of the box.
 ///
 /// \param dimension  D
 /// \param spheres    N, which the frame must have
 /// Throws InputError, with file:line, where the file cannot be read, is not of this format, ends
-/// within a frame, or has lines of more than 1 MiB.
+/// within a frame, tells one thing twice, or has lines of more than 1 MiB.
 /// Source: https://github.com/libAtoms/extxyz
 XyzFrame read_last_frame(const std::filesystem::path& path, int dimension, std::int64_t spheres);
 

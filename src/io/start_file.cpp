@@ -11,6 +11,7 @@
 
 #include "io/case_box.hpp"
 #include "io/case_rules.hpp"
+#include "io/case_speeds.hpp"
 #include "io/extended_xyz.hpp"
 #include "io/output_reader.hpp"
 #include "io/start_overlap.hpp"
@@ -75,34 +76,75 @@ GivenStart start_from_output(const Case& values, const std::string& file) {
   return {dimension, std::move(last.positions), std::move(last.velocities), std::move(sides)};
 }
 
+/// The boundaries that the file tells, if it does, are those of the case.
+void require_equal_boundaries(const Case& values, const XyzFrame& frame, const std::string& file) {
+  for (int axis = 0; frame.is_periodic && axis < values.system.dimension; ++axis) {
+    const bool is_periodic = (*frame.is_periodic)[static_cast<std::size_t>(axis)];
+    const bool is_closed = closed_axis(values) == axis;
+    if (is_periodic != is_closed) continue;
+    reject(file, fmt::format("pbc has {} along {} (the case {} there); make them agree",
+                             is_periodic ? 'T' : 'F', axis_letter(axis),
+                             is_closed ? "has [walls]" : "is periodic"));
+  }
+}
+
 GivenStart start_from_text(const Case& values, const std::string& file) {
   const int dimension = values.system.dimension;
   XyzFrame frame = read_last_frame(file, dimension, values.system.spheres);
-  if (frame.velocities.empty() && !values.start.granular_temperature) {
-    reject(file, "has no velocities (a column velo:R:3); add them or start.granular_temperature");
+  if (!values.start.granular_temperature) {
+    if (frame.velocities.empty()) {
+      reject(file, "has no velocities (a column velo:R:3); add them or start.granular_temperature");
+    }
+    if (frame.needs_masses) {
+      reject(file,
+             "has momenta of spheres whose mass it does not tell (must be 1); add a column "
+             "masses:R:1, or give velo:R:3");
+    }
   }
+  require_equal_boundaries(values, frame, file);
   return {dimension, std::move(frame.positions), std::move(frame.velocities),
           std::move(frame.sides)};
 }
 
-/// Every centre in [0, L), between walls in [1/2, L - 1/2].
-void require_in_box(const Case& values, const GivenStart& start, const std::string& where) {
+/// Every centre in [1/2, L - 1/2] between walls, and elsewhere so near that it has its digits.
+void require_within_reach(const Case& values, const GivenStart& start, const std::string& where) {
   const auto components = static_cast<std::size_t>(start.dimension);
   const auto closed = closed_axis(values);
   for (std::size_t at = 0; at < start.positions.size(); ++at) {
     const int axis = static_cast<int>(at % components);
-    const char letter = axis_letter(axis);
     const double position = start.positions[at];
     const double side = start.sides[at % components];
     const std::size_t i = at / components;
-    if (!(position >= 0 && position < side)) {
-      reject(where, fmt::format("sphere {} at {} is outside the box (0 <= {} < {}); move it", i,
-                                place_of(start, i), letter, side));
+    if (closed != axis) {
+      if (std::abs(position) <= longest_side) continue;
+      reject(where, fmt::format("sphere {} at {} is too far away to be wrapped into the box (|{}| "
+                                "<= {}); move it",
+                                i, place_of(start, i), axis_letter(axis), longest_side));
     }
-    if (closed != axis) continue;
     if (position >= 0.5 - touching && position <= side - 0.5 + touching) continue;
-    reject(where, fmt::format("sphere {} at {} is in a wall (0.5 <= {} <= {}); move it", i,
-                              place_of(start, i), letter, side - 0.5));
+    const bool is_outside = !(position >= 0 && position < side);
+    reject(where,
+           fmt::format("sphere {} at {} is {} (0.5 <= {} <= {}); move it", i, place_of(start, i),
+                       is_outside ? "behind a wall" : "in a wall", axis_letter(axis), side - 0.5));
+  }
+}
+
+/// Puts every centre in [0, L) along the periodic axes: the image of it that is there, which flows
+/// with the profile at its new place.
+void wrap(const Case& values, GivenStart& start) {
+  const auto components = static_cast<std::size_t>(start.dimension);
+  const double shear_rate = values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0;
+  for (std::size_t at = 0; at < start.positions.size(); ++at) {
+    const std::size_t axis = at % components;
+    double& position = start.positions[at];
+    const double side = start.sides[axis];
+    if (closed_axis(values) == static_cast<int>(axis) || (position >= 0 && position < side)) {
+      continue;
+    }
+    const double shift = side * std::floor(position / side);
+    position = std::max(position - shift, 0.0);
+    if (!(position < side)) position = 0;  // a tiny distance below the lower face
+    if (axis == 1 && !start.velocities.empty()) start.velocities[at - 1] -= shear_rate * shift;
   }
 }
 
@@ -148,7 +190,11 @@ GivenStart given_start(const Case& values) {
   if (!std::all_of(start.velocities.begin(), start.velocities.end(), is_finite)) {
     reject(where, "has velocities that are not finite numbers; give others");
   }
-  require_in_box(values, start, where);
+  if (const auto wrong = case_format::wrong_speed(start.velocities, start.dimension)) {
+    reject(where, *wrong + "; choose another unit of time");
+  }
+  require_within_reach(values, start, where);
+  wrap(values, start);
   require_no_overlap(values, start, where);
   require_motion(values, start, where);
   return start;

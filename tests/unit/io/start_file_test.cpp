@@ -62,11 +62,28 @@ TEST(GivenStart, LeavesVelocitiesToBeDrawnWhereATemperatureIsGiven) {
   EXPECT_TRUE(given_start(drawn).velocities.empty());
 }
 
-TEST(GivenStart, SphereOutsideTheBoxIsNamed) {
-  EXPECT_EQ(problem_at("[[1, 1], [4, -0.5]]"),
-            "start.positions: sphere 1 at (4, -0.5) is outside the box (0 <= y < 8); move it");
-  EXPECT_EQ(problem_at("[[10, 1], [4, 1]]"),
-            "start.positions: sphere 0 at (10, 1) is outside the box (0 <= x < 10); move it");
+TEST(GivenStart, SphereBeyondAPeriodicFaceIsItsImageInTheBox) {
+  const auto places = [](const std::string& positions) {
+    return given_start(overridden(planar_case, {"start.positions=" + positions})).positions;
+  };
+  EXPECT_EQ(places("[[10, 1], [4, -0.5]]"), (std::vector<double>{0, 1, 4, 7.5}));
+  EXPECT_EQ(places("[[-25, 1], [4, 24.5]]"), (std::vector<double>{5, 1, 4, 0.5}));
+  // 1e-20 below the lower face is the face itself: 10 - 1e-20 rounds to 10, which is 0.
+  EXPECT_EQ(places("[[-1e-20, 1], [4, 1]]"), (std::vector<double>{0, 1, 4, 1}));
+  EXPECT_EQ(problem_at("[[10.5, 1], [1, 1]]"),
+            "start.positions: spheres 0 and 1 overlap (distance 0.5 diameters); move them apart");
+  EXPECT_EQ(problem_at("[[1, 1], [4, 1e300]]"),
+            "start.positions: sphere 1 at (4, 1e+300) is too far away to be wrapped into the box "
+            "(|y| <= 1000000000); move it");
+}
+
+TEST(GivenStart, ImageAcrossTheGradientFaceHasTheProfileOfItsPlace) {
+  // Two boxes of height 8 up, at the rate 0.25, the profile is faster by 4.
+  const Case sheared = overridden(planar_case, {"drive.kind=shear", "drive.shear_rate=0.25",
+                                                "start.positions=[[1, 17], [4, 1]]"});
+  const GivenStart start = given_start(sheared);
+  EXPECT_EQ(start.positions, (std::vector<double>{1, 1, 4, 1}));
+  EXPECT_EQ(start.velocities, (std::vector<double>{-3, 0.5, 0, 0}));
 }
 
 TEST(GivenStart, SphereInAWallIsNamedAndMayTouchIt) {
@@ -76,6 +93,13 @@ TEST(GivenStart, SphereInAWallIsNamedAndMayTouchIt) {
             "start.positions: sphere 0 at (1, 0.499) is in a wall (0.5 <= y <= 7.5); move it");
   EXPECT_EQ(problem_at("[[1, 1], [4, 7.6]]", walls),
             "start.positions: sphere 1 at (4, 7.6) is in a wall (0.5 <= y <= 7.5); move it");
+}
+
+TEST(GivenStart, SphereBehindAWallIsNotWrapped) {
+  const std::vector<std::string> walls{"walls.axis=y", "walls.restitution=1"};
+  EXPECT_EQ(problem_at("[[11, 1], [4, 1]]", walls), "");
+  EXPECT_EQ(problem_at("[[1, 1], [4, 8.5]]", walls),
+            "start.positions: sphere 1 at (4, 8.5) is behind a wall (0.5 <= y <= 7.5); move it");
 }
 
 TEST(GivenStart, OverlappingSpheresAreNamedAndTouchingOnesPass) {
@@ -180,9 +204,10 @@ TEST_F(StartFile, ExtendedXyzGivesItsLastFrame) {
   EXPECT_EQ(start.sides, (std::vector<double>{10, 8}));
 }
 
-TEST_F(StartFile, ExtendedXyzMayHaveOtherColumnsLineEndsAndNoLattice) {
+TEST_F(StartFile, ExtendedXyzMayHaveOtherColumnsLineEndsAndBrackets) {
   write(
-      "2\r\nproperties=id:I:1:velocity:R:3:Name:S:2:POS:R:3 time=\"0 1\"\r\n"
+      "2\r\nproperties=id:I:1:velocity:R:3:Name:S:2:POS:R:3 time=\"0 \\\" Lattice=\" LATTICE = "
+      "[[10, 0, 0], [0, 8, 0], [0, 0, 1]]\r\n"
       "7 1 5e-1 0 a b +1 1.0 0 \r\n8\t0 0 0 a b 4 1 0\r\n");
   const GivenStart start = given_start(case_with());
   EXPECT_EQ(start.positions, (std::vector<double>{1, 1, 4, 1}));
@@ -190,7 +215,7 @@ TEST_F(StartFile, ExtendedXyzMayHaveOtherColumnsLineEndsAndNoLattice) {
 }
 
 TEST_F(StartFile, WithoutVelocitiesNeedsATemperature) {
-  EXPECT_EQ(problem_of("2\n\nA 1 1 0\nA 4 1 0\n"),
+  EXPECT_EQ(problem_of("2\nLattice=\"10 0 0 0 8 0 0 0 1\"\nA 1 1 0\nA 4 1 0\n"),
             "start: has no velocities (a column velo:R:3); add them or start.granular_temperature");
   EXPECT_EQ(problem({"start.granular_temperature=1"}), "");
 }
@@ -208,14 +233,19 @@ TEST_F(StartFile, ThatIsNoExtendedXyzIsRejectedWithItsLine) {
             "start:1: has 3 spheres (system.spheres = 2); make them equal");
   EXPECT_EQ(problem_of(header + "A 1 1 0 1 0.5 0\nA 4 1 0 0 0\n"), "start:4: has too few numbers");
   EXPECT_EQ(problem_of(header + "A 1 x 0 1 0.5 0\n" + rows.substr(16)),
-            "start:3: found \"x\", needs a finite number");
+            "start:3: found \"x\", needs a finite number that a double can hold");
   EXPECT_EQ(problem_of(header + "A 1 nan 0 1 0.5 0\n" + rows.substr(16)),
-            "start:3: found \"nan\", needs a finite number");
+            "start:3: found \"nan\", needs a finite number that a double can hold");
   EXPECT_EQ(problem_of(header + "A 1 1 2 1 0.5 0\n" + rows.substr(16)),
             "start:3: column 4 is 2 (must be 0 where system.dimension = 2)");
-  EXPECT_EQ(problem_of("2\nProperties=species:S:1:force:R:3\n" + rows),
+  EXPECT_EQ(problem_of(header + "A 1 1e-400 0 1 0.5 0\n" + rows.substr(16)),
+            "start:3: found \"1e-400\", needs a finite number that a double can hold");
+  EXPECT_EQ(problem_of(header + "A 1 1 0 1 0.5 0 7\n" + rows.substr(16)),
+            "start:3: has 8 columns (Properties has 7); make them equal");
+  const std::string lattice = "2\nLattice=\"10 0 0 0 8 0 0 0 1\" ";
+  EXPECT_EQ(problem_of(lattice + "Properties=species:S:1:force:R:3\n" + rows),
             "start:2: Properties has no pos:R:3; add the positions");
-  EXPECT_EQ(problem_of("2\nProperties=pos:R:-3\n" + rows),
+  EXPECT_EQ(problem_of(lattice + "Properties=pos:R:-3\n" + rows),
             "start:2: Properties: column \"pos\" has the count \"-3\" (must be in [1, 10000])");
   EXPECT_EQ(problem_of(std::string(1'048'577, '1')),
             "start:1: line of more than 1 MiB (is this a text file?)");
@@ -227,8 +257,91 @@ TEST_F(StartFile, HasTheBoxOfTheCase) {
             "with system.sides");
   EXPECT_EQ(problem_of(replaced(header, "10 0 0", "10 3 0") + rows),
             "start:2: Lattice has 3 beside its diagonal (the box must be upright)");
-  EXPECT_EQ(problem_of(replaced(header, " 0 1\"", "\"") + rows), "start:2: has too few numbers");
+  const std::string three =
+      "start:2: Lattice has 3 numbers (must be 9, three vectors); write \"Lx 0 0 "
+      "0 Ly 0 0 0 Lz\"";
+  EXPECT_EQ(problem_of(replaced(header, "10 0 0 0 8 0 0 0 1", "5 6 7") + rows), three);
+  EXPECT_EQ(problem_of(replaced(header, "10 0 0 0 8 0 0 0 1", "10 0 0 0 8 0 0 0 1 0") + rows),
+            replaced(three, "3 numbers", "10 numbers"));
+  EXPECT_EQ(
+      problem_of("2\nany comment\nA 1 1 0\nA 4 1 0\n"),
+      "start:2: has no Lattice (which box are the spheres in?); add Lattice=\"Lx 0 0 0 Ly 0 0 "
+      "0 Lz\"");
   EXPECT_EQ(problem_of(replaced(header, "10", "10.000000001") + rows), "");
+}
+
+/// The header with more in front of its Properties.
+std::string header_with(const std::string& more) {
+  return replaced(header, " Properties", " " + more + " Properties");
+}
+
+TEST_F(StartFile, OriginIsTheLowestCornerOfTheBox) {
+  write(header_with("Origin=\"-5 -4 -0.5\"") + "A -4 -3 0 1 0.5 0\nA -1 -3 0 0 0 0\n");
+  EXPECT_EQ(given_start(case_with()).positions, (std::vector<double>{1, 1, 4, 1}));
+  EXPECT_EQ(problem_of(header_with("Origin=\"0 0\"") + rows),
+            "start:2: Origin has 2 numbers (must be 3)");
+}
+
+TEST_F(StartFile, BoundariesAreThoseOfTheCase) {
+  const std::vector<std::string> walls{"walls.axis=y", "walls.restitution=1"};
+  EXPECT_EQ(problem_of(header_with("pbc=\"T T F\"") + rows), "");  // there is no z
+  EXPECT_EQ(problem(walls),
+            "start: pbc has T along y (the case has [walls] there); make them agree");
+  EXPECT_EQ(problem_of(header_with("pbc=[true, False, TRUE]") + rows),
+            "start: pbc has F along y (the case is periodic there); make them agree");
+  EXPECT_EQ(problem(walls), "");
+  EXPECT_EQ(problem_of(header_with("pbc=\"F F F\"") + rows),
+            "start: pbc has F along x (the case is periodic there); make them agree");
+  EXPECT_EQ(problem_of(header_with("pbc=\"T\"") + rows), "start:2: pbc has 1 words (must be 3)");
+  EXPECT_EQ(problem_of(header_with("pbc=\"T T no\"") + rows),
+            "start:2: pbc has \"no\" (must be T or F)");
+}
+
+TEST_F(StartFile, WhatIsToldTwiceIsRefused) {
+  EXPECT_EQ(problem_of(header_with("lattice=\"9 0 0 0 8 0 0 0 1\"") + rows),
+            "start:2: has lattice twice; keep one");
+  const std::string both = replaced(header, "velo:R:3", "velo:R:3:vel:R:3");
+  EXPECT_EQ(problem_of(both + "A 1 1 0 1 0.5 0 2 0 0\nA 4 1 0 0 0 0 0 0 0\n"),
+            "start:2: Properties has velo and vel (which are the velocities?); keep one");
+  EXPECT_EQ(problem_of(replaced(header, "velo", "pos") + rows),
+            "start:2: Properties has pos twice; keep one");
+}
+
+TEST_F(StartFile, RadiusDiameterAndMassAreThoseOfAUnitSphere) {
+  const auto with = [](const std::string& name, const std::string& value) {
+    return replaced(header, "velo:R:3", "velo:R:3:" + name + ":R:1") + "A 1 1 0 1 0.5 0 " + value +
+           "\nA 4 1 0 0 0 0 " + value + "\n";
+  };
+  EXPECT_EQ(problem_of(with("radius", "0.5")), "");
+  EXPECT_EQ(problem_of(with("masses", "1.0")), "");
+  EXPECT_EQ(problem_of(with("radius", "1")),
+            "start:3: radius = 1 (spheres have 0.5: diameter and mass are the units); give the "
+            "file in them");
+  EXPECT_EQ(problem_of(with("Diameter", "2")),
+            "start:3: diameter = 2 (spheres have 1: diameter and mass are the units); give the "
+            "file in them");
+  EXPECT_EQ(problem_of(with("mass", "1.008")),
+            "start:3: mass = 1.008 (spheres have 1: diameter and mass are the units); give the "
+            "file in them");
+}
+
+TEST_F(StartFile, MomentaAreVelocitiesWhereTheMassIsKnownToBeOne) {
+  const std::string momenta = replaced(header, "velo", "momenta");
+  write(momenta + "X 1 1 0 1 0.5 0\nX 4 1 0 0 0 0\n");  // ASE: the element X has the mass 1
+  EXPECT_EQ(given_start(case_with()).velocities, (std::vector<double>{1, 0.5, 0, 0}));
+  write(replaced(momenta, "momenta:R:3", "momenta:R:3:masses:R:1") +
+        "H 1 1 0 1 0.5 0 1\nH 4 1 0 0 0 0 1\n");
+  EXPECT_EQ(given_start(case_with()).velocities, (std::vector<double>{1, 0.5, 0, 0}));
+  EXPECT_EQ(problem_of(momenta + "H 1 1 0 1 0.5 0\nH 4 1 0 0 0 0\n"),
+            "start: has momenta of spheres whose mass it does not tell (must be 1); add a column "
+            "masses:R:1, or give velo:R:3");
+  EXPECT_EQ(problem({"start.granular_temperature=1"}), "");  // they are drawn anew
+}
+
+TEST_F(StartFile, WithSpeedsBeyondTheRangeOfTheirProductsIsRefused) {
+  EXPECT_EQ(problem_of(header + "A 1 1 0 0 0 0\nA 4 1 0 0 -1e155 0\n"),
+            "start: the fastest sphere, 1, has a velocity of -1e+155; must be 0 or in [1e-100, "
+            "1e+100]; choose another unit of time");
 }
 
 TEST_F(StartFile, WithSpheresThatOverlapNamesThem) {
