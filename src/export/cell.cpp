@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/errors.hpp"
+#include "model/offset.hpp"
 
 namespace zenosphere {
 
@@ -34,7 +35,7 @@ Cell cell_of(const Snapshot& snapshot, int dimension, std::optional<int> closed,
     cell.sides[row] = snapshot.box_edges[row * axes + row];
     cell.periodic[row] = closed != static_cast<int>(row);
   }
-  if (axes > 1) cell.tilt = std::remainder(snapshot.box_edges[axes], cell.sides[0]);
+  if (axes > 1) cell.tilt = reduced_offset(snapshot.box_edges[axes], cell.sides[0]);
   return cell;
 }
 

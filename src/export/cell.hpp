@@ -16,7 +16,7 @@ namespace zenosphere {
 struct Cell {
   std::array<double, 3> origin{};  ///< the lowest corner, diameters
   std::array<double, 3> sides{};   ///< diameters
-  double tilt = 0;                 ///< the Lees-Edwards offset, in [-sides[0]/2, sides[0]/2]
+  double tilt = 0;                 ///< the Lees-Edwards offset, in [-sides[0]/2, sides[0]/2)
   std::array<bool, 3> periodic{};  ///< false along the axis of walls, too
 
   double upper(std::size_t axis) const { return origin[axis] + sides[axis]; }

@@ -1,6 +1,7 @@
 #include "run/snapshot_of.hpp"
 
 #include "model/instantiate.hpp"
+#include "model/offset.hpp"
 
 namespace zenosphere {
 
@@ -17,7 +18,8 @@ Snapshot snapshot_of(const Simulation<Dim, Real>& simulation) {
         static_cast<double>(box.sides()[axis]);
   }
   if constexpr (Dim > 1) {
-    snapshot.box_edges[Dim] = static_cast<double>(simulation.lees_edwards_offset());
+    snapshot.box_edges[Dim] = reduced_offset(static_cast<double>(simulation.lees_edwards_offset()),
+                                             snapshot.box_edges[0]);
   }
   const Configuration<Dim, Real> state = simulation.configuration();
   for (std::size_t i = 0; i < state.positions.size(); ++i) {

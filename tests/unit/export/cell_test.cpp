@@ -29,7 +29,10 @@ TEST(Cell, OffsetOfMoreThanHalfASideBecomesTheNearestOfTheSameLattice) {
   EXPECT_EQ(sheared(7).tilt, -1);   // 7 - 8
   EXPECT_EQ(sheared(27).tilt, 3);   // 27 - 3 x 8
   EXPECT_EQ(sheared(-21).tilt, 3);  // -21 + 3 x 8
-  EXPECT_EQ(sheared(-4).tilt, -4);  // half a side stays
+  EXPECT_EQ(sheared(-4).tilt, -4);  // half a side is always on the left
+  EXPECT_EQ(sheared(4).tilt, -4);
+  EXPECT_EQ(sheared(12).tilt, -4);
+  EXPECT_EQ(sheared(-4 - 0x1p-50).tilt, 4 - 0x1p-50);  // an ulp beyond it
   EXPECT_EQ(sheared(3.5).tilt, 3.5);
 }
 
@@ -46,10 +49,10 @@ TEST(Cell, AxesThatTheRunLacksAreOneDiameterThickAndClosed) {
 }
 
 TEST(Cell, LeaningXIsTheImageBetweenTheLeaningSides) {
-  const Cell right = sheared(4);  // at y = 2.5 the cell goes from 2 to 10
+  const Cell right = sheared(3);  // at y = 2.5 the cell goes from 1.5 to 9.5
   EXPECT_EQ(right.leaning_x(3, 2.5), 3);
   EXPECT_EQ(right.leaning_x(1, 2.5), 9);
-  EXPECT_EQ(right.leaning_x(2, 2.5), 2);
+  EXPECT_EQ(right.leaning_x(1.5, 2.5), 1.5);
   const Cell left = sheared(-4);  // from -2 to 6
   EXPECT_EQ(left.leaning_x(5, 2.5), 5);
   EXPECT_EQ(left.leaning_x(7, 2.5), -1);
