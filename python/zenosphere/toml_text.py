@@ -23,8 +23,8 @@ def tables_text(tables: Mapping[str, Mapping[str, Any]], name: str) -> str:
     lines = []
     for table, values in tables.items():
         if not isinstance(values, Mapping):
-            raise InputError(f"{name}: {table} = {values!r} (is a table, not a key); give its keys"
-                             f" as {{{table!r}: {{...}}}}")
+            raise InputError(f"{name}: {table} = {values!r} (found no dict, needs one with"
+                             " the keys of a table); give {'system': {...}, ...}")
         lines += ["", f"[{_key(table)}]"]
         lines += [f"{_key(key)} = {value_text(value, f'{name}: {table}.{key}')}"
                   for key, value in values.items()]

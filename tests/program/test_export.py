@@ -1,6 +1,9 @@
 """`zenosphere export`: the programs that the files are for read in them what the run recorded."""
 
+import os
 import re
+import subprocess
+import sys
 import warnings
 import xml.etree.ElementTree as ElementTree
 
@@ -274,6 +277,21 @@ def test_python_of_the_page_runs(program, checkout, monkeypatch):
         program("export", "out.h5", "--format", *words)
     monkeypatch.chdir(program.folder)
     exec(compile(script, "export.md", "exec"), {})
+
+
+def test_python_of_the_page_reads_four_thousand_spheres_in_little_memory(program, checkout):
+    package("ase")
+    package("pandas")
+    page = (checkout / "docs" / "export.md").read_text()
+    [script] = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    program.keep({"system.spheres": 4000, "run.collisions": 10})
+    for words in (["extxyz", "-o", "last.xyz"], ["csv-observables", "-o", "observables.csv"]):
+        program("export", "out.h5", "--format", *words)
+    # 2 GiB of addresses, libraries included; all distances of ASE would take 8.
+    script = f"import resource\nresource.setrlimit(resource.RLIMIT_AS, (2**31, 2**31))\n{script}"
+    done = subprocess.run([sys.executable, "-c", script], cwd=program.folder, text=True,
+                          capture_output=True, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+    assert done.returncode == 0, done.stderr
 
 
 def test_exported_end_of_an_upright_run_is_a_start(program, export):

@@ -84,7 +84,8 @@ def test_all_errors_in_a_dict_are_told_at_once():
 
 
 @pytest.mark.parametrize("tables, told", [
-    ({"system": 3}, "case: system = 3 (is a table, not a key)"),
+    ({"system": 3}, "case: system = 3 (found no dict, needs one with the keys of a table)"),
+    ({"a": 1}, "case: a = 1 (found no dict, needs one with the keys of a table); give {'system'"),
     (broken(restitution=1j), "case: system.restitution = 1j (a complex, which TOML has not)"),
     (broken(restitution=[object]), "case: system.restitution = <class 'object'> (a type,"),
     (broken(restitution="high"), 'case: system.restitution = "high" (found text, needs'),
@@ -95,8 +96,8 @@ def test_all_errors_in_a_dict_are_told_at_once():
     ([SHEARED], "case: is a list (a case is nested dicts)"),
     (broken(spheres=10**30), "case: system.spheres = 1000000000000000000000000000000 (TOML's"),
     (broken(restitution="\ud800"), "case: system.restitution = '\\ud800' (half of a pair"),
-], ids=["no table", "complex", "nested", "text", "nan", "unknown table", "odd name", "number",
-        "list", "huge", "surrogate"])
+], ids=["no table", "key outside", "complex", "nested", "text", "nan", "unknown table", "odd name",
+        "number", "list", "huge", "surrogate"])
 def test_dict_that_is_no_case_is_refused(tables, told):
     assert complaint(zenosphere.Case, tables).startswith(told)
 
