@@ -44,6 +44,19 @@ TEST_F(SelfCheckTest, FindsNothingInARun) {
   EXPECT_EQ(found(), "");
 }
 
+TEST(SelfCheck, FindsNothingWhereAFastShearHasNotHeatedTheSpheresYet) {
+  // Speeds of 7e12 across the box beside those of 1: momentum and energy are rounded to 1e-4.
+  const Simulation<3, double> slow = sheared_four();
+  Simulation<3, double> simulation(ShearBox<3, double>({10, 10, 10}, 7e11), slow.configuration(),
+                                   {0.9, OverlapRule::immediate});
+  const Measurements<3, double> measurements(simulation, 0);
+  SelfCheck<3, double> check(simulation);
+  EXPECT_FALSE(simulation.collision_until(1e-13));
+  simulation.wait_until(1e-13);
+  check.look(simulation, measurements);
+  EXPECT_EQ(check.violation().value_or(""), "");
+}
+
 TEST_F(SelfCheckTest, FindsMomentumFromNowhere) {
   measurements.kick(simulation, {{0, 0, 1e-6}, {}, {}, {}});
   EXPECT_NE(found().find("momentum along axis 2"), std::string::npos) << found();
