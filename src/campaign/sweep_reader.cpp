@@ -11,6 +11,7 @@
 #include "campaign/sweep.hpp"
 #include "campaign/sweep_fields.hpp"
 #include "io/case_file.hpp"
+#include "io/file_kind.hpp"
 #include "io/spelling.hpp"
 
 namespace zenosphere {
@@ -190,7 +191,11 @@ Sweep parse_sweep(std::string text, const std::string& name) {
 }
 
 Sweep read_sweep(const std::filesystem::path& file) {
-  return parse_sweep(case_text(file), file.string());
+  std::string text = case_text(file);
+  if (kind_of_file(text) == FileKind::case_file) {
+    throw InputError(file.string() + ": " + what_it_is(FileKind::case_file));
+  }
+  return parse_sweep(std::move(text), file.string());
 }
 
 }  // namespace zenosphere

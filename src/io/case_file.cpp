@@ -11,6 +11,7 @@
 #include "io/case_draft.hpp"
 #include "io/case_entries.hpp"
 #include "io/case_table.hpp"
+#include "io/file_kind.hpp"
 
 namespace zenosphere {
 namespace {
@@ -43,6 +44,9 @@ std::string case_text(const std::filesystem::path& file) {
                      ": is larger than 16 MiB (a case with 100000 written spheres takes less); "
                      "check that it is the case file");
   }
+  const FileKind kind = kind_of_file(content);
+  const bool is_binary = kind == FileKind::output || kind == FileKind::store;
+  if (is_binary) throw InputError(name + ": " + what_it_is(kind));
   return content;
 }
 
@@ -52,7 +56,11 @@ std::string absolute_from(const std::string& name, const std::string& path) {
 }
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  return parse_case(case_text(file), file.string(), overrides);
+  std::string text = case_text(file);
+  if (kind_of_file(text) == FileKind::sweep) {
+    throw InputError(file.string() + ": " + what_it_is(FileKind::sweep));
+  }
+  return parse_case(std::move(text), file.string(), overrides);
 }
 
 Case parse_case(std::string text, const std::string& name, std::span<const std::string> overrides) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/file_kind.hpp"
 #include "io/hdf5.hpp"
 #include "io/hdf5_series.hpp"
 #include "io/journal.hpp"
@@ -38,7 +39,9 @@ Handle opened_output(const fs::path& path) {
     file = hdf5::opened_file(path);
   } catch (const hdf5::Error&) {
     if (hdf5::is_hdf5(path)) throw;
-    reject(path, "is not an HDF5 file; name an output file of a run");
+    const FileKind kind = kind_of_file_at(path);
+    const bool is_other = kind == FileKind::other || kind == FileKind::output;
+    reject(path, is_other ? "is not an HDF5 file; name an output file of a run" : what_it_is(kind));
   }
   if (!hdf5::contains(file, "zenosphere")) {
     reject(path, "has no group /zenosphere (it is not an output of this program)");

@@ -92,6 +92,33 @@ def test_binary_garbage_is_one_line(program, command, content):
     assert blame(program, command, "garbage").startswith("garbage:")
 
 
+def test_the_wrong_kind_of_file_is_told_what_it_is_and_which_command_reads_it(program):
+    program.keep()
+    (program.folder / "study.toml").write_text('[sweep]\ncase = "case.toml"\nseeds = 1\n')
+    (program.folder / "study.sqlite").write_bytes(b"SQLite format 3\0" + bytes(4096))
+    for words, file, told in [
+            (["run"], "out.h5", "zenosphere info"), (["check"], "study.sqlite", "sweep csv"),
+            (["run"], "study.toml", "zenosphere sweep runs it"),
+            (["sweep"], "case.toml", "zenosphere run runs it"),
+            (["sweep"], "out.h5", "zenosphere info"), (["info"], "study.sqlite", "sweep csv"),
+            (["info"], "case.toml", "zenosphere run"), (["verify"], "study.toml", "sweep")]:
+        line = blame(program, *words, file)
+        assert line.startswith(f"{file}: is a") and told in line, line
+
+
+@pytest.mark.parametrize("override, words", [
+    ("start.granular_temperature=1e306", ["1e-200", "1e+200"]),
+    ("drive.shear_rate=1e13", ["rounded to", "use at most"]),
+    ("system.solids_volume_fraction=1e-30", ["1000000000", "use at least"]),
+    ("system.restitution=1e-400", ["at least 4.94e-324"]),
+    ("system.restitution=.3", ["write 0.3"]),
+])
+def test_what_the_number_type_cannot_do_is_refused_with_the_limit(program, override, words):
+    for command in ("check", "run"):
+        line = blame(program, command, "case.toml", "--set", override)
+        assert all(word in line for word in words), line
+
+
 def test_empty_file_is_neither_a_case_nor_an_output(program):
     (program.folder / "empty").touch()
     lines = program.fail("run", "empty")
