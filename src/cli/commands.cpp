@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -22,8 +23,8 @@ int run_command_line(int argc, char** argv) {
   CLI::App app(
       "Event-driven inelastic hard spheres under shear: did it collapse, or the arithmetic?",
       "zenosphere");
-  app.set_version_flag("--version", std::string("zenosphere ") + build_info::program_version +
-                                        " (" + build_info::git_hash + ")");
+  app.set_version_flag("-V,--version", std::string("zenosphere ") + build_info::program_version +
+                                           " (" + build_info::git_hash + ")");
   app.require_subcommand(1);
   int status = exit_code::internal_error;  // each command sets it
   add_run(app, status);
@@ -36,6 +37,7 @@ int run_command_line(int argc, char** argv) {
   add_export(app, status);
   add_report(app, status);
   try {
+    if (argc == 2 && std::string_view(argv[1]) == "help") throw CLI::CallForHelp();
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help or version was asked for

@@ -32,6 +32,11 @@ def test_help_of_run_names_every_option_of_the_interface(program):
 
 def test_version_is_a_line_with_three_numbers(program):
     assert re.fullmatch(r"zenosphere \d+\.\d+\.\d+ .*\n", program("--version").stdout)
+    assert program("-V").stdout == program("--version").stdout
+
+
+def test_help_is_a_command_too(program):
+    assert program("help").stdout == program("--help").stdout
 
 
 @pytest.mark.parametrize("words", [
