@@ -246,7 +246,7 @@ def test_what_no_run_writes_is_named_and_not_shown(program, finished, dataset, i
 
 
 def test_what_is_no_run_is_wrong_input(program):
-    assert "is not an HDF5 file" in program(
+    assert "is a case file" in program(
         "export", "case.toml", "--format", "extxyz", "-o", "x", code=2).stderr
     assert "does not exist" in program(
         "export", "nowhere", "--format", "extxyz", "-o", "x", code=2).stderr
