@@ -77,7 +77,8 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
     : spheres_(box, surroundings.acceleration, archive),
       rules_(rules),
       surroundings_(surroundings),
-      calendar_(spheres_.count()) {
+      calendar_(spheres_.count()),
+      rewind_bound_(box, surroundings.acceleration) {
   archive(meetings_);
   const auto times = archive.template next<std::vector<Real>>();
   require_archived(times.size() == meetings_.size(), "times of another number of spheres");
@@ -120,11 +121,11 @@ bool Simulation<Dim, Real>::is_pair(std::int32_t i, std::int32_t j) const {
   return i >= 0 && i < j && i < spheres() && j < partners();
 }
 
-/// What no event is before: an overlap leads a little into the past, which the clock counts from
-/// its last whole unit; ten thousand units are far beyond any rounding.
+/// What no event is before: overlaps lead into the past, which the clock counts from its last whole
+/// unit. Ten thousand units, and as many of the longest rewinds, are far beyond what runs do.
 template <int Dim, class Real>
 Real Simulation<Dim, Real>::earliest_time() const {
-  return -10000 * box().clock_unit();
+  return -10000 * (box().clock_unit() + rewind_bound_.longest());
 }
 
 /// Throws ArchiveError where sphere i has an event that no prediction makes.

@@ -17,7 +17,8 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<
       rules_(rules),
       surroundings_(surroundings),
       calendar_(spheres_.count()),
-      meetings_(static_cast<std::size_t>(spheres_.count())) {
+      meetings_(static_cast<std::size_t>(spheres_.count())),
+      rewind_bound_(box, surroundings.acceleration) {
   assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
   apply_models();
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);

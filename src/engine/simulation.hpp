@@ -15,6 +15,7 @@
 #include "engine/large_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/next_meetings.hpp"
+#include "engine/rewind_bound.hpp"
 #include "engine/spheres.hpp"
 #include "model/collision.hpp"
 #include "model/contact_models.hpp"
@@ -143,6 +144,9 @@ class Simulation {
 
   /// Predictions that OverlapRule::guarded let pass.
   std::int64_t overlaps_ignored() const { return overlaps_ignored_; }
+  /// The longest time by which OverlapRule::rewind has set, or will set, the clock back since the
+  /// collision before the last.
+  Real longest_rewind() const { return rewind_bound_.longest_lately(); }
   std::int64_t settlings() const { return settlings_; }
   std::int64_t stale_events() const { return stale_events_; }
 
@@ -181,6 +185,7 @@ class Simulation {
   NextMeetings<Real> with_walls(std::int32_t i);
   NextMeetings<Real> first_ahead(std::int32_t i);
   void apply_overlap_rule();
+  void limit_rewinds();
   bool is_stale(const Meeting<Real>& meeting) const;
   void go_stale(std::int32_t i);
   bool is_second_known(const NextMeetings<Real>& next) const;
@@ -215,7 +220,8 @@ class Simulation {
   template <class Self, class Archive>
   static void archive_clock(Self& self, Archive& archive) {
     archive(self.now_, self.last_collision_, self.last_change_, self.collisions_, self.settlings_,
-            self.stale_events_, self.overlaps_ignored_, self.stopped_before_, self.at_rest_);
+            self.stale_events_, self.overlaps_ignored_, self.stopped_before_, self.at_rest_,
+            self.rewind_bound_);
   }
 
   void apply_models() {
@@ -241,6 +247,7 @@ class Simulation {
   std::int64_t settlings_ = 0;
   std::int64_t stale_events_ = 0;
   std::int64_t overlaps_ignored_ = 0;
+  RewindBound<Dim, Real> rewind_bound_;
   ContactsAhead<Real> ahead_;  ///< scratch
   std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;

@@ -27,6 +27,7 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   }
   at_rest_ = false;
   last_change_ = now_;
+  rewind_bound_.forget();
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
 }
 

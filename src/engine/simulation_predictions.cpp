@@ -88,7 +88,7 @@ NextMeetings<Real> Simulation<Dim, Real>::first_ahead(std::int32_t i) {
 /// Deals with pairs that overlap by rounding while they approach. Walls let nobody pass.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::apply_overlap_rule() {
-  if (rules_.overlap == OverlapRule::rewind) return;
+  if (rules_.overlap == OverlapRule::rewind) return limit_rewinds();
   for (auto& [partner, time, approach] : ahead_.contacts) {
     if (time > 0) continue;
     time = 0;
@@ -97,6 +97,16 @@ void Simulation<Dim, Real>::apply_overlap_rule() {
       ++overlaps_ignored_;
       time = std::numeric_limits<Real>::infinity();
     }
+  }
+}
+
+/// Has those collide now whose contact lies further back than rounding can have put it.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::limit_rewinds() {
+  rewind_bound_.renew(spheres_, now_.remainder, collisions_);
+  const Real earliest = -rewind_bound_.longest();
+  for (auto& contact : ahead_.contacts) {
+    if (contact.time < earliest) contact.time = 0;
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/rewind.hpp"
+
 namespace zenosphere {
 namespace {
 
@@ -122,11 +124,11 @@ class SortedSpheres {
 
 }  // namespace
 
-double deepest_permitted(OverlapRule rule, double guard, double time) {
+double deepest_permitted(OverlapRule rule, double guard, double time, double longest_side) {
   constexpr double by_rounding = 1e-9;  // starts may overlap by 1e-12, and boxes have 1e9 diameters
   switch (rule) {
     case OverlapRule::rewind:
-      return 1e-3;
+      return by_rounding + 2 * longest_way_back(longest_side);
     case OverlapRule::guarded:
       return by_rounding + guard * time;
     case OverlapRule::immediate:

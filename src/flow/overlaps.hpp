@@ -33,10 +33,11 @@ Overlap deepest_overlap(const PlacedSpheres& spheres);
 /// What an overlap rule promises: no two spheres are deeper in each other than this, diameters.
 ///
 /// `guarded` lets spheres pass that approach with less than its guard: they sink in by that much in
-/// a time unit at most. `rewind` promises nothing small, since it may set the clock back as far as
-/// the approach is slow; what is a thousandth deep has not come from rounding.
+/// a time unit at most. `rewind` may set each of two spheres back by longest_way_back(), into a
+/// third one.
 ///
-/// \param guard  diameters^2/time, and the time since the start, in the case's unit
-double deepest_permitted(OverlapRule rule, double guard, double time);
+/// \param guard         diameters^2/time, and the time since the start, in the case's unit
+/// \param longest_side  of the box, diameters
+double deepest_permitted(OverlapRule rule, double guard, double time, double longest_side);
 
 }  // namespace zenosphere

@@ -39,7 +39,7 @@ class Observers {
     dissector_.observe(collision);
     if (arrest_.is_met()) dissector_.observe_arrest(arrest_.pairs());
     measurements_.observe(collision, simulation);
-    self_check_.observe(collision);
+    self_check_.observe(collision, simulation);
     counts_.observe(collision);
     if (self_check_.is_due(simulation)) look(simulation);
   }

@@ -43,8 +43,7 @@ std::pair<Vec<Dim, Real>, Real> momentum_of(const Simulation<Dim, Real>& simulat
 template <int Dim, class Real>
 SelfCheck<Dim, Real>::SelfCheck(const Simulation<Dim, Real>& simulation)
     : clock_rounding_(4096 * std::numeric_limits<Real>::epsilon() * simulation.box().clock_unit()),
-      gathered_rounding_(gathered_rounding<Real>()),
-      deepest_rewind_(deepest_permitted(OverlapRule::rewind, 0, 0)) {
+      gathered_rounding_(gathered_rounding<Real>()) {
   std::tie(momentum_at_start_, momentum_scale_) = momentum_of(simulation);
   next_look_ = std::max(least_collisions_between,
                         collisions_between_per_sphere * std::int64_t{simulation.spheres()});
@@ -151,7 +150,8 @@ void SelfCheck<Dim, Real>::look_at_overlaps(const Simulation<Dim, Real>& simulat
     }
   }
   const double permitted = deepest_permitted(
-      simulation.rules().overlap, static_cast<double>(simulation.rules().guard), simulation.time());
+      simulation.rules().overlap, static_cast<double>(simulation.rules().guard), simulation.time(),
+      *std::max_element(spheres.sides.begin(), spheres.sides.end()));
   const Overlap overlap = deepest_overlap(spheres);
   if (overlap.depth > permitted) {
     note(

@@ -24,11 +24,12 @@ class SelfCheck {
   explicit SelfCheck(const Simulation<Dim, Real>& simulation);
 
   /// To be called once after each collision, in order.
-  void observe(const Collision<Dim, Real>& collision) {
-    const bool is_in_order =
-        collision.overlapping ? -collision.flight * collision.impact.normal_speed <= deepest_rewind_
-                              : collision.flight >= -clock_rounding_;
-    if (!is_in_order && !violation_) note_disorder(collision);
+  void observe(const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation) {
+    if (collision.flight >= -clock_rounding_) return;
+    const bool is_rewind = collision.overlapping &&
+                           simulation.rules().overlap == OverlapRule::rewind &&
+                           -collision.flight <= simulation.longest_rewind() + clock_rounding_;
+    if (!is_rewind && !violation_) note_disorder(collision);
   }
 
   /// Whether it is time to look at the whole state.
@@ -67,7 +68,6 @@ class SelfCheck {
 
   Real clock_rounding_;
   Real gathered_rounding_;
-  Real deepest_rewind_;
   Vector momentum_at_start_;
   Real momentum_scale_ = 0;  ///< largest sum of |v| so far
   std::int64_t next_look_ = 0;

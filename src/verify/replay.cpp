@@ -140,7 +140,8 @@ bool Replay<Dim>::check(const CollisionRow& row, const Meeting<Dim>& meeting, Fi
   const Number bound = meeting.error + meeting.speed * motion_.clock_error(row.time);
   const bool overlapped = (row.flags & collision_flag::overlap) != 0;
   const double permitted =
-      overlapped ? deepest_permitted(values_.collision.overlap, values_.collision.guard, row.time)
+      overlapped ? deepest_permitted(values_.collision.overlap, values_.collision.guard, row.time,
+                                     static_cast<double>(motion_.longest_side()))
                  : 0.0;
   if (meeting.gap > bound || meeting.gap < -(bound + permitted)) {
     findings.add(fmt::format("{}: their gap is {:.3g} diameters there (0 within {:.2g})", place,

@@ -94,7 +94,8 @@ void SnapshotCheck::check_overlaps(const Snapshot& snapshot, Findings& findings)
   const double offset = sides_.size() > 1 ? snapshot.box_edges[sides_.size()] : 0.0;
   const Overlap overlap = deepest_overlap({snapshot.positions, sides_, offset, closed_});
   const double permitted =
-      deepest_permitted(values_.collision.overlap, values_.collision.guard, snapshot.time);
+      deepest_permitted(values_.collision.overlap, values_.collision.guard, snapshot.time,
+                        *std::max_element(sides_.begin(), sides_.end()));
   if (overlap.depth <= permitted) return;
   findings.add(fmt::format("{}: spheres {} and {} overlap by {:.3g} diameters (at most {:.3g})",
                            place(snapshot), overlap.i, overlap.j, overlap.depth, permitted));

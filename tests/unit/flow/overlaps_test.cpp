@@ -65,9 +65,13 @@ TEST(DeepestOverlap, AgreesWithLookingAtEveryPair) {
 }
 
 TEST(DeepestPermitted, IsRoundingButForTheRuleThatLetsSpheresPass) {
-  EXPECT_EQ(deepest_permitted(OverlapRule::immediate, 1e-15, 1e9), 1e-9);
-  EXPECT_EQ(deepest_permitted(OverlapRule::guarded, 1e-15, 1e9), 1e-9 + 1e-15 * 1e9);
-  EXPECT_EQ(deepest_permitted(OverlapRule::rewind, 1e-15, 1e9), 1e-3);
+  EXPECT_EQ(deepest_permitted(OverlapRule::immediate, 1e-15, 1e9, 32), 1e-9);
+  EXPECT_EQ(deepest_permitted(OverlapRule::guarded, 1e-15, 1e9, 32), 1e-9 + 1e-15 * 1e9);
+}
+
+TEST(DeepestPermitted, IsTwoOfTheLongestWaysBackWithRewind) {
+  // A side of 32: delta = 4 x 2^-52 x 2^5 = 2^-45, and 32 sqrt(2 delta) = 2^5 x 2^-22 = 2^-17.
+  EXPECT_EQ(deepest_permitted(OverlapRule::rewind, 1e-15, 1e9, 32), 1e-9 + 2 * 0x1p-17);
 }
 
 }  // namespace

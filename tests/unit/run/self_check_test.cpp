@@ -38,7 +38,7 @@ TEST_F(SelfCheckTest, FindsNothingInARun) {
     const auto collision = simulation.next_collision(1e9);
     if (!collision) continue;
     measurements.observe(*collision, simulation);
-    check.observe(*collision);
+    check.observe(*collision, simulation);
   }
   EXPECT_GT(simulation.collisions(), 100);
   EXPECT_EQ(found(), "");
@@ -121,13 +121,27 @@ TEST(SelfCheck, FindsAClockThatGoesBackWithoutAnOverlap) {
   auto collision = support::record(1, 0, 1, 0, 0.5);
   collision.impact.normal_speed = 1;
   collision.flight = -1e-15;  // some units in the last place
-  check.observe(collision);
-  collision.overlapping = true;
-  collision.flight = -1e-6;  // at this speed a thousandth of a thousandth deep
-  check.observe(collision);
+  check.observe(collision, simulation);
   EXPECT_FALSE(check.violation());
-  collision.overlapping = false;
-  check.observe(collision);
+  collision.flight = -1e-6;
+  check.observe(collision, simulation);
+  EXPECT_TRUE(check.violation());
+}
+
+TEST(SelfCheck, FindsARewindThatLeadsBackBeyondItsBound) {
+  // Rods 2^-50 deep in each other that approach: their contact lies back, so that the bound is
+  // known. A side of 32 lets a sphere go back by 2^-17; the fastest has the speed 2.
+  const Configuration<1, double> start{{{4}, {5 - 0x1p-50}}, {{2}, {-2}}};
+  Simulation<1, double> simulation(ShearBox<1, double>({32}, 0), start, {0.5, OverlapRule::rewind});
+  EXPECT_EQ(simulation.longest_rewind(), 0x1p-18);
+  Collision<1, double> collision;
+  collision.overlapping = true;
+  collision.flight = -0x1p-18;
+  SelfCheck<1, double> check(simulation);
+  check.observe(collision, simulation);
+  EXPECT_FALSE(check.violation());
+  collision.flight = -0x1p-17;
+  check.observe(collision, simulation);
   EXPECT_TRUE(check.violation());
 }
 

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "engine/spheres.hpp"
+#include "model/archive.hpp"
+#include "model/rewind.hpp"
+
+namespace zenosphere {
+
+/// How far `rewind` may set the clock back: by the time in which the fastest sphere flies
+/// longest_way_back(), so that nobody is put further off the course that it was on.
+///
+/// The fastest sphere is looked for once in as many collisions as there are spheres, and only when
+/// two overlap.
+template <int Dim, class Real>
+class RewindBound {
+ public:
+  RewindBound(const ShearBox<Dim, Real>& box, const Vec<Dim, Real>& acceleration) {
+    using std::sqrt;
+    Real longest_side = 0;
+    for (int axis = 0; axis < Dim; ++axis) longest_side = std::max(longest_side, box.sides()[axis]);
+    way_ = longest_way_back(longest_side);
+    const Real pull = sqrt(static_cast<Real>(dot(acceleration, acceleration)));
+    const Real slide = box.slide_speed() / 2;
+    least_square_ = 2 * pull * longest_side + slide * slide;
+  }
+
+  /// Looks for the fastest sphere at `when`, if that has not been done lately.
+  void renew(const Spheres<Dim, Real>& spheres, const Real& when, std::int64_t collisions) {
+    using std::sqrt;
+    if (collisions < next_look_) return;
+    const bool is_first = next_look_ == 0;
+    constexpr std::int64_t least_between = 16;  // one collision must not see two looks
+    next_look_ = collisions + std::max<std::int64_t>(least_between, spheres.count());
+    Real square = 0;
+    for (std::int32_t i = 0; i < spheres.count(); ++i) {
+      const Vec<Dim, Real> velocity = spheres.velocity_at(spheres[i], when);
+      square = std::max(square, static_cast<Real>(dot(velocity, velocity)));
+    }
+    const Real fastest = sqrt(static_cast<Real>(square + least_square_));
+    before_ = is_first ? fastest : fastest_;
+    fastest_ = fastest;
+  }
+
+  /// Has the fastest sphere looked for again: velocities have changed otherwise than by collisions.
+  void forget() { next_look_ = 0; }
+
+  /// The longest step back, in the unit of the velocities.
+  Real longest() const { return duration_at(fastest_); }
+
+  /// The same at any moment since the collision before the last.
+  Real longest_lately() const { return duration_at(std::min(fastest_, before_)); }
+
+  /// \throws ArchiveError where nobody can be that fast
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.fastest_, self.before_, self.next_look_);
+    require_archived(self.fastest_ >= 0 && self.before_ >= 0, "a speed that there is not");
+    require_counts(self.next_look_);
+  }
+
+ private:
+  /// Where nothing moves, nobody overlaps while approaching.
+  Real duration_at(const Real& speed) const { return speed > 0 ? Real(way_ / speed) : Real(0); }
+
+  Real way_;  ///< diameters
+  Real
+      least_square_;  ///< of the speeds after a fall through the box, and of half a slide of layers
+  Real fastest_ = 0;
+  Real before_ = 0;             ///< the fastest at the look before
+  std::int64_t next_look_ = 0;  ///< number of collisions
+};
+
+}  // namespace zenosphere
