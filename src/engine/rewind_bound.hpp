@@ -18,11 +18,12 @@ template <int Dim, class Real>
 class RewindBound {
  public:
   RewindBound(const ShearBox<Dim, Real>& box, const Vec<Dim, Real>& acceleration) {
-    using std::sqrt;
+    using std::abs;
     Real longest_side = 0;
     for (int axis = 0; axis < Dim; ++axis) longest_side = std::max(longest_side, box.sides()[axis]);
     way_ = longest_way_back(longest_side);
-    const Real pull = sqrt(static_cast<Real>(dot(acceleration, acceleration)));
+    Real pull = 0;  // at most sqrt(3) times the size of the acceleration, and no square of it
+    for (int axis = 0; axis < Dim; ++axis) pull += abs(acceleration[axis]);
     const Real slide = box.slide_speed() / 2;
     least_square_ = 2 * pull * longest_side + slide * slide;
   }
