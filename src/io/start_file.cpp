@@ -166,6 +166,31 @@ void require_motion(const Case& values, const GivenStart& start, const std::stri
          "drive the spheres");
 }
 
+/// No sphere that gravity holds on a wall without a speed. Hard spheres meet in instants: in a
+/// contact that lasts there would be one after the other, and the clock would never leave 0.
+void require_no_lasting_contact(const Case& values, const GivenStart& start,
+                                const std::string& where) {
+  const auto closed = closed_axis(values);
+  if (!closed || values.gravity.acceleration.empty()) return;
+  if (values.start.granular_temperature.value_or(0) > 0) return;  // nobody has no speed
+  const auto axis = static_cast<std::size_t>(*closed);
+  const double pull = values.gravity.acceleration[axis];
+  if (pull == 0) return;
+  const auto components = static_cast<std::size_t>(start.dimension);
+  for (std::size_t at = axis; at < start.positions.size(); at += components) {
+    const bool touches =
+        pull < 0 ? start.positions[at] <= 0.5 : start.positions[at] >= start.sides[axis] - 0.5;
+    const bool moves = !start.velocities.empty() && start.velocities[at] != 0;
+    if (!touches || moves) continue;
+    const std::size_t i = at / components;
+    reject(where,
+           fmt::format("sphere {} at {} rests on a wall, where gravity holds it (contacts of hard "
+                       "spheres are instants: the clock would stand at 0); lift it, or give it a "
+                       "speed away from the wall",
+                       i, place_of(start, i)));
+  }
+}
+
 }  // namespace
 
 GivenStart given_start(const Case& values) {
@@ -197,6 +222,7 @@ GivenStart given_start(const Case& values) {
   wrap(values, start);
   require_no_overlap(values, start, where);
   require_motion(values, start, where);
+  require_no_lasting_contact(values, start, where);
   return start;
 }
 

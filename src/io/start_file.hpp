@@ -17,8 +17,9 @@ struct GivenStart {
 
 /// The start that a case writes (Arrangement::given) or names (Arrangement::file), checked: right
 /// numbers of finite numbers, every sphere clear of the walls, no two overlapping by more than
-/// 1e-12 diameters, and something that moves. What is outside the box along a periodic axis is
-/// wrapped into it; across y of a sheared box the image has the velocity of the profile there.
+/// 1e-12 diameters, something that moves, and no sphere that rests on a wall under gravity. What is
+/// outside the box along a periodic axis is wrapped into it; across y of a sheared box the image
+/// has the velocity of the profile there.
 ///
 /// A file is an output file of this program, of which the last snapshot counts, or else extended
 /// XYZ, of which the last frame does. The box that it tells must be that of the case.

@@ -102,6 +102,26 @@ TEST(GivenStart, SphereBehindAWallIsNotWrapped) {
             "start.positions: sphere 1 at (4, 8.5) is behind a wall (0.5 <= y <= 7.5); move it");
 }
 
+TEST(GivenStart, SphereThatRestsOnAWallUnderGravityIsNamed) {
+  const std::vector<std::string> floor{"walls.axis=y", "walls.restitution=0.5",
+                                       "gravity.acceleration=[0, -1]",
+                                       "collision.contact_duration=1e-3"};
+  const auto with = [&](const std::string& velocities) {
+    auto overrides = floor;
+    overrides.push_back("start.velocities=" + velocities);
+    return overrides;
+  };
+  // The second one stands on the first: that touches the floor.
+  EXPECT_EQ(
+      problem_at("[[1, 0.5], [1, 1.5]]", with("[[0, 0], [0, 0]]")),
+      "start.positions: sphere 0 at (1, 0.5) rests on a wall, where gravity holds it (contacts "
+      "of hard spheres are instants: the clock would stand at 0); lift it, or give it a speed "
+      "away from the wall");
+  EXPECT_EQ(problem_at("[[1, 0.5], [1, 1.5]]", with("[[0, 0.25], [0, 0]]")), "");
+  EXPECT_EQ(problem_at("[[1, 0.75], [1, 1.75]]", with("[[0, 0], [0, 0]]")), "");
+  EXPECT_EQ(problem_at("[[1, 7.5], [1, 2]]", with("[[0, 0], [0, 0]]")), "");  // falls
+}
+
 TEST(GivenStart, OverlappingSpheresAreNamedAndTouchingOnesPass) {
   EXPECT_EQ(problem_at("[[1, 1], [1.93, 1]]"),
             "start.positions: spheres 0 and 1 overlap (distance 0.93 diameters); move them apart");
