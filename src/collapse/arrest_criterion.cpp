@@ -9,7 +9,9 @@ namespace zenosphere {
 template <int Dim, class Real>
 void ArrestCriterion<Dim, Real>::go_on(const Collision<Dim, Real>& collision) {
   remember(collision);
-  const bool is_long_enough = collision.number - stretch_start_ >= window_;
+  const auto pairs = static_cast<std::int64_t>(seen_.size());
+  const bool is_long_enough =
+      collision.number - stretch_start_ >= std::max(window_, repetitions_ * pairs);
   if (is_long_enough && collision.number - newest_pair_ >= window_ / 2) conclude(collision);
 }
 

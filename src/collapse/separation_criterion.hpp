@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -35,6 +36,9 @@ class SeparationCriterion {
     if (gap > threshold_) return;
     ++hits_;
     last_collision_ = collision_;
+    const auto now = static_cast<double>(time_);
+    longest_pause_ = std::max(longest_pause_, now - last_time_.value_or(now));
+    last_time_ = now;
     if (hits_ > 1) return;
     first_collision_ = collision_;
     first_time_ = time_;
@@ -44,11 +48,15 @@ class SeparationCriterion {
   std::optional<std::int64_t> first_collision() const { return first_collision_; }
   const std::optional<Real>& first_time() const { return first_time_; }
   std::optional<std::int64_t> last_collision() const { return last_collision_; }
+  std::optional<double> last_time() const { return last_time_; }
+
+  /// The longest time between two hits; 0 where there is one or none.
+  double longest_pause() const { return longest_pause_; }
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.collision_, self.time_, self.hits_, self.first_collision_, self.first_time_,
-            self.last_collision_);
+            self.last_collision_, self.last_time_, self.longest_pause_);
     require_counts(self.collision_, self.hits_, self.first_collision_, self.last_collision_);
   }
 
@@ -61,6 +69,8 @@ class SeparationCriterion {
   std::optional<std::int64_t> first_collision_;
   std::optional<Real> first_time_;
   std::optional<std::int64_t> last_collision_;
+  std::optional<double> last_time_;
+  double longest_pause_ = 0;
 };
 
 }  // namespace zenosphere

@@ -48,9 +48,8 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(doubl
     } else if (is_stale(meeting)) {
       go_stale(i);
     } else if (meeting.is_overlap() && rules_.overlap == OverlapRule::stop) {
-      const std::int32_t j = meeting.partner();
-      const auto [a, b] = std::minmax(i, j);
-      stopped_before_ = {a, b, gap_at_last_change(a, b, neighbour(a, b))};
+      const auto [a, b] = std::minmax(i, meeting.partner());
+      stopped_before_ = {a, b, gap_at_last_change(a, b, neighbour(a, b, meeting.time))};
     } else {
       return next_with(i);
     }
@@ -86,10 +85,10 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   collision.overlapping = meeting.is_overlap();
   collision.i = std::min(i, meeting.partner());
   collision.j = std::max(i, meeting.partner());
-  const Neighbour neighbour = this->neighbour(collision.i, collision.j);
+  const Real when = meeting.time;
+  const Neighbour neighbour = this->neighbour(collision.i, collision.j, when);
   collision.gap_before = gap_at_last_change(collision.i, collision.j, neighbour);
 
-  const Real when = meeting.time;
   now_.remainder = when;
   // Not copies of now_: to read 16 bytes of which 8 have just been written takes a long wait.
   collision.time = {now_.units, when};
@@ -167,19 +166,29 @@ Real Simulation<Dim, Real>::wall_gap(std::int32_t i, int wall, const Real& when)
   return wall == 0 ? place - Real(0.5) : (box().sides()[axis] - Real(0.5)) - place;
 }
 
-/// How sphere i sees the sphere j that it meets; of no meaning where j is a wall.
+/// How sphere i sees the sphere j that it meets at `when`; of no meaning where j is a wall.
 template <int Dim, class Real>
-Neighbour Simulation<Dim, Real>::neighbour(std::int32_t i, std::int32_t j) const {
-  return wall(j) ? Neighbour() : spheres_.neighbour(i, j, now_.remainder);
+Neighbour Simulation<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const Real& when) const {
+  return wall(j) ? Neighbour() : spheres_.neighbour(i, j, when);
 }
 
+/// The distance that two spheres, or a sphere and a wall, have to close from the last change of a
+/// velocity to their contact, diameters.
+///
+/// \param neighbour  the image that will be in contact
 template <int Dim, class Real>
 Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j,
                                                Neighbour neighbour) const {
   const Real when = last_change_.remainder +
                     static_cast<Real>(last_change_.units - now_.units) * box().clock_unit();
-  if (const auto wall = this->wall(j)) return wall_gap(i, *wall, when);
-  return gap(spheres_.shortest_image(spheres_.motion(i, neighbour, when).dr, when));
+  if (const auto wall = this->wall(j)) {
+    const int axis = surroundings_.walls->axis;
+    const Real outward = *wall == 0 ? -1 : 1;
+    return widest_gap<Real>(wall_gap(i, *wall, when),
+                            -outward * spheres_.velocity_at(spheres_[i], when)[axis],
+                            -outward * surroundings_.acceleration[axis]);
+  }
+  return gap(spheres_.motion(i, neighbour, when).dr);
 }
 
 /// Settles a sphere again; one that is late by rounding at once.

@@ -203,7 +203,7 @@ class Simulation {
   void meet(Collision<Dim, Real>& collision, Neighbour neighbour);
   void bounce(Collision<Dim, Real>& collision, int wall);
   Real wall_gap(std::int32_t i, int wall, const Real& when) const;
-  Neighbour neighbour(std::int32_t i, std::int32_t j) const;
+  Neighbour neighbour(std::int32_t i, std::int32_t j, const Real& when) const;
   Real gap_at_last_change(std::int32_t i, std::int32_t j, Neighbour neighbour) const;
   void settle(std::int32_t i);
   void rebase(const Real& next_event, const Instant<Real>& limit);

@@ -96,9 +96,6 @@ class Spheres {
                     {other.position - own.position, other.velocity - own.velocity});
   }
 
-  /// The shortest of the periodic images of a way between two spheres at `when`, axis by axis.
-  Vector shortest_image(Vector way, const Real& when) const;
-
   std::span<const Neighbour> neighbours(std::int32_t i) const { return lists_.of(i); }
 
   /// The first two contacts of i with these neighbours, where they can be found without a look at

@@ -202,6 +202,10 @@ void write_attribute(const Handle& object, const std::string& name,
   write_numbers(object, name, H5T_STD_I64LE, simple_space({values.size()}), values.data());
 }
 
+bool has_attribute(const Handle& object, const std::string& name) {
+  return H5Aexists(object.id(), name.c_str()) > 0;
+}
+
 std::string text_attribute(const Handle& object, const std::string& name) {
   const Handle attribute = owned(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT));
   require_text(owned(H5Aget_type(attribute.id())), name);

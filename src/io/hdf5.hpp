@@ -71,6 +71,7 @@ void write_attribute(const Handle& object, const std::string& name, double value
 void write_attribute(const Handle& object, const std::string& name,
                      const std::vector<std::int64_t>& values);
 
+bool has_attribute(const Handle& object, const std::string& name);
 std::string text_attribute(const Handle& object, const std::string& name);
 std::int64_t number_attribute(const Handle& object, const std::string& name);
 double real_attribute(const Handle& object, const std::string& name);

@@ -34,6 +34,7 @@ void write_h5md(const Handle& file) {
 void write_provenance(const Handle& file, const OutputHeader& header) {
   const Handle own = hdf5::created_group(file, "zenosphere");
   hdf5::write_attribute(own, "format_version", output_format_version);
+  hdf5::write_attribute(own, "criteria_version", criteria_version);
   hdf5::write_attribute(own, "program_version", build_info::program_version);
   hdf5::write_attribute(own, "git_hash", build_info::git_hash);
   hdf5::write_attribute(own, "compiler", build_info::compiler);

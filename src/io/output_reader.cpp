@@ -70,6 +70,9 @@ void read_provenance(const Handle& own, OutputInfo& info) {
   info.git_hash = hdf5::text_attribute(own, "git_hash");
   info.compiler = hdf5::text_attribute(own, "compiler");
   info.compiler_flags = hdf5::text_attribute(own, "compiler_flags");
+  if (hdf5::has_attribute(own, "criteria_version")) {
+    info.criteria_version = hdf5::number_attribute(own, "criteria_version");
+  }
   info.complete = hdf5::number_attribute(own, "complete") == 1;
   info.case_text = hdf5::text(own, "case");
   info.resolved_case = hdf5::text(own, "resolved");

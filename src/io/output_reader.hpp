@@ -13,6 +13,7 @@ namespace zenosphere {
 /// What an output file says about itself and its run.
 struct OutputInfo {
   std::int64_t format_version = 0;
+  std::int64_t criteria_version = 1;  ///< of a file that does not say
   std::string program_version, git_hash, compiler, compiler_flags;
   std::string case_text;      ///< the case file as it was read
   std::string resolved_case;  ///< TOML, every key with the value used

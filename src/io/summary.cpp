@@ -24,7 +24,9 @@ Json separation(const Summary::Separation& separation) {
   return {{"hits", separation.hits},
           {"first_collision", or_null(separation.first_collision)},
           {"first_time", or_null(separation.first_time)},
-          {"last_collision", or_null(separation.last_collision)}};
+          {"last_collision", or_null(separation.last_collision)},
+          {"last_time", or_null(separation.last_time)},
+          {"longest_pause", separation.longest_pause}};
 }
 
 Json arrest(const Summary::Arrest& arrest) {
@@ -36,7 +38,8 @@ Json arrest(const Summary::Arrest& arrest) {
           {"window", arrest.window},
           {"pairs", pairs},
           {"extrapolated_time", or_null(arrest.extrapolated_time)},
-          {"flight_ratio", or_null(arrest.flight_ratio)}};
+          {"flight_ratio", or_null(arrest.flight_ratio)},
+          {"others_moving", or_null(arrest.others_moving)}};
 }
 
 Json dissected(const std::optional<Summary::Dissected>& dissected) {
@@ -89,28 +92,6 @@ Json averages(const std::optional<Averages>& averages, int dimension) {
   return result;
 }
 
-/// What the verdict means, for a reader who has not read the paper.
-std::string verdict_sentence(const Summary& summary) {
-  if (summary.verdict == "none") {
-    return "No collapse: no two spheres about to collide ever came as close as the threshold.";
-  }
-  if (summary.verdict == "temporary") {
-    return fmt::format(
-        "No collapse, but a false alarm: the separation criterion was met and then left;\n"
-        "it was not met again during the last {} collisions.",
-        summary.arrest.window);
-  }
-  if (summary.verdict == "open") {
-    return "Undecided: the separation criterion was still being met when the run ended, the "
-           "arrest\n"
-           "criterion was not; a longer run decides.";
-  }
-  assert(summary.verdict == "true");
-  return "Collapse: the arrest criterion was met. The same few pairs collide again and again "
-         "without\n"
-         "separating, and time stands still at machine precision.";
-}
-
 /// One line of the table: the names of all lines end in the same column.
 std::string line(std::string_view name, const std::string& value) {
   return fmt::format("  {:<24}{}\n", name, value);
@@ -145,6 +126,13 @@ std::string pairs_text(const std::vector<std::pair<std::int64_t, std::int64_t>>&
   return text;
 }
 
+std::string arrested_text(const Summary::Arrest& arrest) {
+  const std::int64_t others = arrest.others_moving.value_or(0);
+  if (others == 0) return pairs_text(arrest.pairs);
+  return fmt::format("{}; {} other sphere{} still moving", pairs_text(arrest.pairs), others,
+                     others == 1 ? "" : "s");
+}
+
 std::string arrest_text(const Summary::Arrest& arrest) {
   if (!arrest.met) return fmt::format("not met, window {} collisions", arrest.window);
   return fmt::format("met at collision {}, time {:.6g}, window {} collisions",
@@ -177,7 +165,7 @@ std::string anatomy_lines(const Summary::Anatomy& anatomy) {
 std::string criteria_lines(const Summary& s) {
   return line("separation criterion", separation_text(s.separation)) +
          line("arrest criterion", arrest_text(s.arrest)) +
-         (s.arrest.met ? line("arrested pairs", pairs_text(s.arrest.pairs)) : "") +
+         (s.arrest.met ? line("arrested pairs", arrested_text(s.arrest)) : "") +
          (s.arrest.extrapolated_time ? line("collapse time", series_text(s.arrest)) : "") +
          line("odd collisions",
               fmt::format("{} absorbed, {} overlapping, {} receding; {} overlaps ignored",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collapse/dissection.hpp"
+#include "collapse/verdict.hpp"
 #include "flow/averages.hpp"
 
 namespace zenosphere {
@@ -30,6 +31,8 @@ struct Summary {
     std::optional<std::int64_t> first_collision;
     std::optional<double> first_time;
     std::optional<std::int64_t> last_collision;
+    std::optional<double> last_time;  ///< absent from files of older versions
+    double longest_pause = 0;         ///< the longest time between two hits
   } separation;
 
   struct Arrest {
@@ -40,6 +43,8 @@ struct Summary {
     std::vector<std::pair<std::int64_t, std::int64_t>> pairs;
     std::optional<double> extrapolated_time;  ///< end of a geometric series of flights, if one
     std::optional<double> flight_ratio;       ///< its ratio
+    /// Spheres of none of these pairs that still moved at the end of the run.
+    std::optional<std::int64_t> others_moving;
   } arrest;
 
   /// The first cluster of a dissection, in short; the output file has all of it.
@@ -81,6 +86,12 @@ struct Summary {
   double collisions_per_second = 0;
   std::int64_t peak_memory_bytes = 0;
 };
+
+/// What a verdict depends on.
+Course course_of(const Summary& summary);
+
+/// The verdict in one sentence or two, for a reader who has not read the paper.
+std::string verdict_sentence(const Summary& summary);
 
 /// What a summary says of the anatomy of a collapse.
 Summary::Anatomy in_short(const Anatomy& anatomy);

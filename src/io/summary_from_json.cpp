@@ -103,6 +103,10 @@ void read_collapse(const Json& json, Summary& summary) {
   read(separation, "first_collision", summary.separation.first_collision);
   read(separation, "first_time", summary.separation.first_time);
   read(separation, "last_collision", summary.separation.last_collision);
+  if (separation.contains("last_time")) {
+    read(separation, "last_time", summary.separation.last_time);
+    read(separation, "longest_pause", summary.separation.longest_pause);
+  }
   const Json& arrest = json.at("arrest");
   read(arrest, "met", summary.arrest.met);
   read(arrest, "collision", summary.arrest.collision);
@@ -111,6 +115,9 @@ void read_collapse(const Json& json, Summary& summary) {
   read_pairs(arrest.at("pairs"), summary.arrest);
   read(arrest, "extrapolated_time", summary.arrest.extrapolated_time);
   read(arrest, "flight_ratio", summary.arrest.flight_ratio);
+  if (arrest.contains("others_moving")) {
+    read(arrest, "others_moving", summary.arrest.others_moving);
+  }
 }
 
 std::optional<Summary::Dissected> dissected(const Json& json) {

@@ -18,7 +18,8 @@ struct Collision {
   Impact<Dim, Real> impact;
   Vec<Dim, Real> change;  ///< of the velocity of i; that of a sphere j is the opposite. Along the
                           ///< normal unless a wall is rough or a contact model has turned it
-  Real gap_before = 0;    ///< of this pair at the collision before (or the kick, if one came since)
+  Real gap_before = 0;    ///< that this pair had to close after the collision before (or the kick,
+                          ///< if one came since); off a wall and back to it: the height of the apex
   bool overlapping = false;   ///< the overlap rule gave the time
   bool absorbed = false;      ///< no bit of any velocity has changed
   bool made_elastic = false;  ///< by the TC model

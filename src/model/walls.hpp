@@ -64,6 +64,14 @@ Real closing_speed(const Real& gap, const Real& rate, const Real& acceleration) 
   return square > 0 ? Real(sqrt(square)) : Real(0);
 }
 
+/// How wide a gap gets before it closes that changes at `rate` and with a constant `acceleration`:
+/// where it opens and falls back, the height of the apex.
+template <class Real>
+Real widest_gap(const Real& gap, const Real& rate, const Real& acceleration) {
+  if (!(rate > 0) || !(acceleration < 0)) return gap;
+  return gap + rate * rate / (-2 * acceleration);
+}
+
 /// Time until a gap closes that changes at `rate` and with a constant `acceleration`.
 ///
 /// Solves gap + rate t + acceleration t^2/2 = 0 for the moment at which the gap closes: the earlier

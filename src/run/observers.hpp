@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "collapse/arrest_criterion.hpp"
 #include "collapse/collapse_time.hpp"
 #include "collapse/dissector.hpp"
 #include "collapse/separation_criterion.hpp"
-#include "collapse/verdict.hpp"
 #include "flow/measurements.hpp"
 #include "io/summary.hpp"
 #include "run/collision_counts.hpp"
@@ -61,14 +62,14 @@ class Observers {
   const Anatomy& anatomy() const { return dissector_.anatomy(); }
   Measurements<Dim, Real>& measurements() { return measurements_; }
 
-  /// What has been seen so far; the rest of the summary is left as it is.
+  /// What has been seen so far; the rest of the summary is left as it is, the verdict too.
   void add_to(Summary& summary, const Simulation<Dim, Real>& simulation) const {
     summary.collisions = simulation.collisions();
     summary.collisions_per_sphere =
         2 * static_cast<double>(summary.collisions) / static_cast<double>(simulation.spheres());
     summary.time = simulation.time();
     summary.strain = static_cast<double>(simulation.box().shear_rate()) * summary.time;
-    add_collapse(summary);
+    add_collapse(summary, simulation);
     summary.absorbed = counts_.absorbed;
     summary.overlap_collisions = counts_.overlapping;
     summary.overlaps_ignored = simulation.overlaps_ignored();
@@ -87,19 +88,37 @@ class Observers {
   }
 
  private:
-  void add_collapse(Summary& summary) const {
-    summary.verdict = word(verdict(summary.collisions, separation_.last_collision(),
-                                   arrest_.is_met(), arrest_.window()));
-    summary.separation = {separation_.hits(), separation_.first_collision(),
-                          in_double(separation_.first_time()), separation_.last_collision()};
+  void add_collapse(Summary& summary, const Simulation<Dim, Real>& simulation) const {
+    summary.separation = {separation_.hits(),
+                          separation_.first_collision(),
+                          in_double(separation_.first_time()),
+                          separation_.last_collision(),
+                          separation_.last_time(),
+                          separation_.longest_pause()};
     summary.arrest = {arrest_.is_met(),
                       arrest_.collision(),
                       arrest_.time(),
                       arrest_.window(),
                       {},
                       in_double(collapse_time_.time()),
-                      in_double(collapse_time_.ratio())};
+                      in_double(collapse_time_.ratio()),
+                      std::nullopt};
     for (const auto& [i, j] : arrest_.pairs()) summary.arrest.pairs.emplace_back(i, j);
+    if (arrest_.is_met()) summary.arrest.others_moving = others_moving(simulation);
+  }
+
+  /// Spheres that move and are in none of the pairs that arrest.
+  std::int64_t others_moving(const Simulation<Dim, Real>& simulation) const {
+    std::vector<char> is_arrested(static_cast<std::size_t>(simulation.spheres()) + 2);  // and walls
+    for (const auto& [i, j] : arrest_.pairs()) {
+      is_arrested[static_cast<std::size_t>(i)] = is_arrested[static_cast<std::size_t>(j)] = 1;
+    }
+    std::int64_t moving = 0;
+    for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
+      const bool rests = simulation.peculiar_velocity(i) == Vec<Dim, Real>{};
+      moving += !is_arrested[static_cast<std::size_t>(i)] && !rests;
+    }
+    return moving;
   }
 
   Summary::Contact contact(const Simulation<Dim, Real>& simulation) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "collapse/verdict.hpp"
 #include "io/case_file.hpp"
 #include "run/checkpoint_cadence.hpp"
 #include "run/log_rows.hpp"
@@ -254,6 +255,7 @@ class Run final : public SteppedRun {
     Summary summary;
     observers_.add_to(summary, simulation);
     summary.ended_by = ended_by_;
+    summary.verdict = word(verdict(course_of(summary)));
     const bool is_interrupted = ended_by_ == "signal" || ended_by_ == "self-check";
     summary.outcome = ended_by_.empty()       ? "unfinished"
                       : is_interrupted        ? "interrupted"

@@ -6,9 +6,19 @@
 
 namespace zenosphere::verify {
 
-ArrestRecount::ArrestRecount(const Case& values)
-    : strict_(values.collapse.gap_threshold, values.collapse.window, 1.0),
-      lenient_(values.collapse.gap_threshold, values.collapse.window, 1.0) {}
+namespace {
+
+/// The criterion of a file; the first version did not ask how often each pair had met.
+ArrestCriterion<1, double> criterion(const Case& values, std::int64_t criteria_version) {
+  const auto repetitions = ArrestCriterion<1, double>::enough_repetitions;
+  return {values.collapse.gap_threshold, values.collapse.window, 1.0,
+          criteria_version < 2 ? 0 : repetitions};
+}
+
+}  // namespace
+
+ArrestRecount::ArrestRecount(const Case& values, std::int64_t criteria_version)
+    : strict_(criterion(values, criteria_version)), lenient_(strict_) {}
 
 void ArrestRecount::observe(const CollisionRow& row, double gap_before) {
   Collision<1, double> collision;

@@ -20,7 +20,7 @@ namespace zenosphere::verify {
 /// cannot be met before the run met it, the second not after.
 class ArrestRecount {
  public:
-  explicit ArrestRecount(const Case& values);
+  ArrestRecount(const Case& values, std::int64_t criteria_version);
 
   /// \param row       with its number, pair, time and flags
   /// \param gap_before of this pair at the collision before, as the row before has it

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace zenosphere::verify {
@@ -115,6 +116,9 @@ void LogCheck::add(const CollisionRow& row) {
       separation_.first_time = row.time;
     }
     separation_.last_collision = row.k;
+    const double pause = row.time - separation_.last_time.value_or(row.time);
+    separation_.longest_pause = std::max(separation_.longest_pause, pause);
+    separation_.last_time = row.time;
   }
   dissipated_ += law_.loss(row);
 }
@@ -137,6 +141,10 @@ void LogCheck::compare(const Summary& summary, Findings& findings) const {
                 findings);
   require_equal("separation.first_time", told.first_time, separation_.first_time, findings);
   require_equal("separation.last_collision", told.last_collision, separation_.last_collision,
+                findings);
+  if (!told.last_time) return;  // not told by older versions
+  require_equal("separation.last_time", told.last_time, separation_.last_time, findings);
+  require_equal("separation.longest_pause", told.longest_pause, separation_.longest_pause,
                 findings);
 }
 

@@ -89,29 +89,49 @@ Body<Dim> Motion<Dim>::moved(Body<Dim> body, Number time) const {
 }
 
 template <int Dim>
-typename Motion<Dim>::Vector Motion<Dim>::nearest(Vector between, Number time,
-                                                  Number& boxes_up) const {
-  boxes_up = 0;
+typename Motion<Dim>::Vector Motion<Dim>::boxes_to_nearest(Vector between, Number time) const {
+  Vector boxes;
   for (int axis = Dim - 1; axis >= 0; --axis) {  // the gradient before the flow, which it displaces
     if (closed_ == axis) continue;
-    const Number boxes = std::round(between[axis] / sides_[axis]);
-    between[axis] -= boxes * sides_[axis];
-    if (axis != 1) continue;
-    boxes_up = boxes;
-    between[0] -= boxes * (start_offset_ + shear_rate_ * sides_[axis] * (time - start_time_));
+    boxes[axis] = std::round(between[axis] / sides_[axis]);
+    if (axis == 1) between[0] -= boxes[axis] * image_offset(time);
   }
+  return boxes;
+}
+
+template <int Dim>
+typename Motion<Dim>::Vector Motion<Dim>::without(const Vector& boxes, Vector between,
+                                                  Number time) const {
+  for (int axis = 0; axis < Dim; ++axis) between[axis] -= boxes[axis] * sides_[axis];
+  if constexpr (Dim > 1) between[0] -= boxes[1] * image_offset(time);
   return between;
 }
 
 template <int Dim>
-Meeting<Dim> Motion<Dim>::meeting(const Body<Dim>& first, const Body<Dim>& second,
-                                  Number time) const {
+typename Motion<Dim>::Vector Motion<Dim>::nearest(Vector between, Number time,
+                                                  Number& boxes_up) const {
+  const Vector boxes = boxes_to_nearest(between, time);
+  boxes_up = Dim > 1 ? boxes[Dim > 1 ? 1 : 0] : Number(0);
+  return without(boxes, between, time);
+}
+
+/// Displacement of the upper image of the box along x, unwrapped since the start of the replay.
+template <int Dim>
+typename Motion<Dim>::Number Motion<Dim>::image_offset(Number time) const {
+  if constexpr (Dim == 1) return 0;
+  return start_offset_ + shear_rate_ * sides_[Dim > 1 ? 1 : 0] * (time - start_time_);
+}
+
+template <int Dim>
+Meeting<Dim> Motion<Dim>::meeting(const Body<Dim>& first, const Body<Dim>& second, Number time,
+                                  Number contact) const {
+  const Vector boxes =
+      boxes_to_nearest(moved(second, contact).position - moved(first, contact).position, contact);
   const Body<Dim> a = moved(first, time);
   const Body<Dim> b = moved(second, time);
-  Number boxes_up = 0;
-  const Vector between = nearest(b.position - a.position, time, boxes_up);
+  const Vector between = without(boxes, b.position - a.position, time);
   Vector velocity = b.velocity - a.velocity;
-  velocity[0] -= image_velocity(boxes_up);
+  velocity[0] -= image_velocity(Dim > 1 ? boxes[Dim > 1 ? 1 : 0] : Number(0));
   const Number distance = length(between);
   Meeting<Dim> meeting;
   meeting.normal = between * (1 / distance);

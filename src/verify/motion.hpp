@@ -61,13 +61,24 @@ class Motion {
   /// The sphere at another time if it flies on; or back, where an overlap has set back the clock.
   Body<Dim> moved(Body<Dim> body, Number time) const;
 
-  Meeting<Dim> meeting(const Body<Dim>& first, const Body<Dim>& second, Number time) const;
+  /// Two spheres at a time, in the image that is the nearest then.
+  Meeting<Dim> meeting(const Body<Dim>& first, const Body<Dim>& second, Number time) const {
+    return meeting(first, second, time, time);
+  }
+  /// The same in the image that is the nearest at another time: at their contact.
+  Meeting<Dim> meeting(const Body<Dim>& first, const Body<Dim>& second, Number time,
+                       Number contact) const;
   Meeting<Dim> wall_meeting(const Body<Dim>& body, int wall, Number time) const;
 
   /// The vector between two unwrapped places to the nearest image of the second.
   ///
   /// \param boxes_up  set to how many boxes above the image the second place is
   Vector nearest(Vector between, Number time, Number& boxes_up) const;
+
+  /// How many boxes lie between two unwrapped places whose nearest images are wanted, and the
+  /// vector between them without these.
+  Vector boxes_to_nearest(Vector between, Number time) const;
+  Vector without(const Vector& boxes, Vector between, Number time) const;
 
   /// Velocity along x of an image, against that of the place so many boxes above it.
   Number image_velocity(Number boxes_up) const;
@@ -85,6 +96,8 @@ class Motion {
   Number storage_error() const { return storage_error_; }
 
  private:
+  Number image_offset(Number time) const;
+
   Vector sides_;
   Vector acceleration_;
   std::optional<int> closed_;

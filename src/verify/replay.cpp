@@ -19,8 +19,9 @@ long double length(const Vec<Dim, long double>& vector) {
 }  // namespace
 
 template <int Dim>
-Replay<Dim>::Replay(const Case& values, std::int64_t spheres)
+Replay<Dim>::Replay(const Case& values, std::int64_t spheres, std::int64_t criteria_version)
     : values_(values),
+      criteria_version_(criteria_version),
       motion_(values, spheres),
       law_(values, spheres),
       bodies_(static_cast<std::size_t>(spheres)),
@@ -75,9 +76,9 @@ void Replay<Dim>::kick_until(double time) {
 }
 
 template <int Dim>
-Meeting<Dim> Replay<Dim>::meeting_at(const CollisionRow& row, Number time) {
+Meeting<Dim> Replay<Dim>::meeting_at(const CollisionRow& row, Number time, Number contact) {
   if (const auto side = wall(row.j)) return motion_.wall_meeting(body(row.i), *side, time);
-  return motion_.meeting(body(row.i), body(row.j), time);
+  return motion_.meeting(body(row.i), body(row.j), time, contact);
 }
 
 template <int Dim>
@@ -90,7 +91,7 @@ void Replay<Dim>::observe(const CollisionRow& row, Findings& findings) {
   }
   done_ = row.k;
   check_last_gap(row, findings);
-  const Meeting<Dim> meeting = meeting_at(row, row.time);
+  const Meeting<Dim> meeting = meeting_at(row, row.time, row.time);
   const bool is_in_doubt = is_beside_a_kick(row.time);
   count(is_in_doubt ? Motion<Dim>::unknown : meeting.error);
   const bool is_known = meeting.error <= most_error && !is_in_doubt;
@@ -155,24 +156,6 @@ bool Replay<Dim>::check(const CollisionRow& row, const Meeting<Dim>& meeting, Fi
     return false;
   }
   return true;
-}
-
-/// Compares the gap that the row before has for this pair.
-template <int Dim>
-void Replay<Dim>::check_last_gap(const CollisionRow& row, Findings& findings) {
-  if (!last_ || std::isnan(last_->gap)) return;
-  const Meeting<Dim> then = meeting_at(row, last_change_);
-  const Number bound = then.error + then.speed * motion_.clock_error(row.time) +
-                       4 * double_rounding * std::abs(then.gap);
-  const Number shortest = motion_.shortest_side();
-  const bool is_ambiguous = !wall(row.j) && then.gap > 0.45L * shortest - 1;  // which image?
-  if (!(bound <= most_error) || is_ambiguous) return;
-  if (std::abs(then.gap - last_->gap) <= bound) return;
-  findings.add(fmt::format(
-      "collision {}: gap = {} (spheres {} and {}, which collide next, are {:.6g} apart within "
-      "{:.2g})",
-      last_->k, last_->gap, row.i, row.j, static_cast<double>(then.gap),
-      static_cast<double>(bound)));
 }
 
 /// The velocities after a collision, by the logged normal speed: errors grow by the direction of

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "collapse/verdict.hpp"
 #include "io/case.hpp"
 #include "io/records.hpp"
 #include "model/vec.hpp"
@@ -39,8 +40,10 @@ class Replay {
  public:
   using Number = long double;
 
-  /// \param values  the case of the file
-  Replay(const Case& values, std::int64_t spheres);
+  /// \param values            the case of the file
+  /// \param criteria_version  of the file: what its gaps are
+  Replay(const Case& values, std::int64_t spheres,
+         std::int64_t criteria_version = zenosphere::criteria_version);
 
   /// Compares a snapshot with the state where the log has led to it, and goes on from it.
   void observe(const Snapshot& snapshot, Findings& findings);
@@ -53,6 +56,12 @@ class Replay {
  private:
   using Vector = Vec<Dim, Number>;
 
+  /// A distance to be closed, diameters.
+  struct Gap {
+    Number value = 0;
+    Number error = 0;  ///< bound
+  };
+
   Body<Dim>& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
   std::optional<int> wall(std::int32_t j) const;
   void start(const Snapshot& snapshot);
@@ -60,9 +69,12 @@ class Replay {
   void compare_sphere(std::int32_t i, const Snapshot& snapshot, Findings& findings);
   void kick_until(double time);
   bool is_beside_a_kick(double time) const;
-  Meeting<Dim> meeting_at(const CollisionRow& row, Number time);
+  Meeting<Dim> meeting_at(const CollisionRow& row, Number time, Number contact);
   bool check(const CollisionRow& row, const Meeting<Dim>& meeting, Findings& findings);
   void check_last_gap(const CollisionRow& row, Findings& findings);
+  Gap gap_before(const CollisionRow& row);
+  Gap shortest_gap_before(const CollisionRow& row);
+  Gap apex(const Meeting<Dim>& then, int wall) const;
   void collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse);
   void bounce(const CollisionRow& row, int wall);
   void count(Number error);
@@ -71,6 +83,7 @@ class Replay {
   static constexpr Number most_error = 1e-3L;  ///< diameters; what is checked is better than this
 
   const Case& values_;
+  std::int64_t criteria_version_;
   Motion<Dim> motion_;
   Law law_;
   std::vector<Body<Dim>> bodies_;  ///< each at its last event

@@ -47,10 +47,10 @@ class Verifier {
   Verifier(const RunFile& file, const Case& values, double loosest_threshold)
       : file_(file),
         values_(values),
-        replay_(values, file.info().spheres),
+        replay_(values, file.info().spheres, file.info().criteria_version),
         log_(values, file.info().spheres, file.info().last_time, loosest_threshold),
         snapshots_(values, file.info().last_time),
-        arrest_(values),
+        arrest_(values, file.info().criteria_version),
         was_raised_(loosest_threshold > values.collapse.gap_threshold) {}
 
   Verification go() {
@@ -92,9 +92,9 @@ class Verifier {
     const Summary summary = summary_from_json(*file_.info().summary, Dim);
     Findings& findings = result_.findings;
     snapshots_.compare(summary, findings);
-    const bool is_met = summary.arrest.met;
-    const char* expected = word(verdict(summary.collisions, summary.separation.last_collision,
-                                        is_met, summary.arrest.window));
+    const Course course = course_of(summary);
+    const bool is_old = file_.info().criteria_version < 2;
+    const char* expected = word(is_old ? verdict_by_window(course) : verdict(course));
     if (summary.verdict != expected) {
       findings.add(
           fmt::format("summary: verdict = {} (its counts mean {})", summary.verdict, expected));

@@ -134,6 +134,33 @@ TEST(BouncingBallOfWax, StaysOnTheFloorWhileAnotherOneFalls) {
   }
 }
 
+TEST(BouncingBallOfTheTcModel, NeverMeetsTheSeparationCriterion) {
+  // Its bounces become elastic once they last less than 1e-3: at a height of 1.25e-7 at the most,
+  // and above e^2 of that.
+  const Summary run = test::run_text(thrown(1, 1, 1, 0.75),
+                                     {"collision.contact_duration=1e-3", "run.collisions=20000"});
+  EXPECT_EQ(run.verdict, "none");
+  EXPECT_EQ(run.collisions, 20000);
+}
+
+TEST(BouncingBall, MeetsTheSeparationCriterionOnlyWhereItsBouncesAreThatLow) {
+  // v^2/2 = 1e-16 at v = 1.4e-8: after ln(1.4e-8)/ln(0.5) = 26.07 bounces at v0 = 1, e = 1/2.
+  // Bounce 27 is the first that is not left as high, with 2^-27, and bounce 28 follows it.
+  const Summary run = test::run_text(thrown(1, 1, 1, 0.5));
+  EXPECT_EQ(run.separation.first_collision, 27);
+}
+
+TEST(ABallThatHasSettled, StandsBesideAnotherOneThatStillFalls) {
+  // The first lands at time 1 and bounces until 1 + 2 x 0.5 / 0.5 = 3; the second, let go 8
+  // diameters up, would land at 4.
+  const Summary run = test::run_text(thrown(2, 0, 1, 0.5, 0.5),
+                                     {"system.spheres=2", "start.positions=[[2, 1], [7, 8.5]]",
+                                      "start.velocities=[[0, 0], [0, 0]]"});
+  EXPECT_EQ(run.verdict, "true");
+  EXPECT_NEAR(run.time, 3, 1e-12);
+  EXPECT_EQ(run.arrest.others_moving, 1);
+}
+
 TEST(BouncingBallStepByStep, LosesTheSameFractionOfItsSpeedAtEachBounce) {
   const double restitution = 0.7;
   const ShearBox<1, double> box({100}, 0, 1.5, 0);
@@ -150,10 +177,8 @@ TEST(BouncingBallStepByStep, LosesTheSameFractionOfItsSpeedAtEachBounce) {
     // The clock is good to 1e-16, and so are speeds at G = 1.
     EXPECT_NEAR(collision.impact.normal_speed, speed, 1e-14) << bounce;
     EXPECT_NEAR(ball.time(), end, 1e-14) << bounce;
-    // From contact to contact; over several clock units at a speed of 2 four ulps add up.
-    if (bounce > 1) {
-      EXPECT_NEAR(collision.gap_before, 0, 1e-15) << bounce;
-    }
+    // From contact to contact: the apex of the flight, v^2 / (2 G), to four ulps of each.
+    EXPECT_NEAR(collision.gap_before, speed * speed / 2, 1e-14) << bounce;
     speed *= restitution;
     EXPECT_NEAR(ball.peculiar_velocity(0)[0], speed, 1e-14) << bounce;
   }

@@ -138,7 +138,8 @@ TEST(Criteria, ElasticTripleMeetsSeparationButNeverArrest) {
     const double radius = 1.5 + 0.01 * n;
     Gas gas(Box({kSide, kSide, kSide}, 0), triple({10, 9 + 0.013 * n, 10}, radius), {1.0});
     SeparationCriterion<3, double> separation(kThreshold, gas.box().clock_unit());
-    ArrestCriterion<3, double> arrest(kThreshold, 2, gas.box().clock_unit());  // least window
+    // Least window, and no pair needs to come again.
+    ArrestCriterion<3, double> arrest(kThreshold, 2, gas.box().clock_unit(), 0);
     while (const auto collision = gas.next_collision(7)) {
       EXPECT_NEAR(gas.time(), radius - 1 / std::sqrt(3.0), 1e-14);
       separation.observe(*collision);

@@ -20,7 +20,7 @@ class Oracle {
     int i = 0;        ///< < j
     int j = 0;
     double normal_speed = 0;  ///< closing speed, diameters/time
-    double gap_before = 0;    ///< of the pair at the event before, in the nearest image
+    double gap_before = 0;    ///< of the pair at the event before, in the image that meets
   };
 
   /// \param offset  displacement of the upper image of the box along x at the start, diameters
@@ -46,7 +46,6 @@ class Oracle {
 
   std::vector<Seen> images(std::size_t i, std::size_t j) const;
   Contact earliest(Real& horizon) const;
-  Real nearest_gap(std::size_t i, std::size_t j) const;
   void fly(Real duration);
   void collide(const Contact& contact);
 

@@ -17,7 +17,8 @@ using Pair = Criterion::Pair;
 constexpr double kThreshold = 1e-16;
 constexpr double kTime = 0.5;
 
-/// Hands collisions to a criterion of window 8, numbered from 1; time and gap stand still.
+/// Hands collisions to a criterion of window 8 that does not ask how often each pair has met,
+/// numbered from 1; time and gap stand still.
 class Arrest : public testing::Test {
  protected:
   void observe(Pair pair, double gap = 0, double remainder = kTime) {
@@ -27,7 +28,7 @@ class Arrest : public testing::Test {
     for (int n = 0; n < times; ++n) observe(pair);
   }
 
-  Criterion criterion{kThreshold, 8, 1.0};
+  Criterion criterion{kThreshold, 8, 1.0, 0};
   std::int64_t number = 0;
 };
 
@@ -143,9 +144,29 @@ TEST_F(Arrest, StaysAsItWasOnceMet) {
   EXPECT_EQ(criterion.pairs(), (std::vector<Pair>{{0, 1}}));
 }
 
+TEST(ArrestCriterion, AsksThatThePairsHaveMetAHundredTimesEach) {
+  // Three pairs in turn: 300 collisions after the first one, however short the window.
+  Criterion criterion(kThreshold, 8, 1.0);
+  for (std::int64_t number = 1; !criterion.is_met() && number < 1000; ++number) {
+    const auto i = static_cast<std::int32_t>(number % 3);
+    criterion.observe(record(number, i, i + 1, 0, kTime));
+  }
+  EXPECT_EQ(criterion.collision(), 301);
+  EXPECT_EQ(criterion.pairs().size(), 3u);
+}
+
+TEST(ArrestCriterion, OfALongWindowDoesNotDependOnHowOftenEachPairHasMet) {
+  Criterion criterion(kThreshold, 1000, 1.0);
+  for (std::int64_t number = 1; !criterion.is_met() && number < 2000; ++number) {
+    const auto i = static_cast<std::int32_t>(number % 3);
+    criterion.observe(record(number, i, i + 1, 0, kTime));
+  }
+  EXPECT_EQ(criterion.collision(), 1001);
+}
+
 TEST(ArrestCriterion, TellsTimeAndWindow) {
   // Unit 0.5: at 4 units + 0.125 = 2.125.
-  Criterion criterion(kThreshold, 2, 0.5);
+  Criterion criterion(kThreshold, 2, 0.5, 0);
   EXPECT_EQ(criterion.window(), 2);
   for (std::int64_t number = 1; number <= 3; ++number) {
     auto collision = record(number, 0, 1, 0, 0.125);

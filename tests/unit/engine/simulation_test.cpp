@@ -114,6 +114,47 @@ TEST(Simulation, TakesTheGapOfTheNextPairAtAKickThatCameSinceTheLastCollision) {
   EXPECT_NEAR(collision.flight, 1, 1e-14);
 }
 
+TEST(Simulation, TakesTheGapToTheImageOfTheNextPairThatWillTouch) {
+  // Elastic rods meet at time 1 and part; they meet again round the ring of 20. There are 18 to
+  // close, though right after the collision they touch in another image.
+  Line line(ShearBox<1, double>({20}, 0), {{{4}, {7}}, {{1}, {-1}}}, {1.0});
+  ASSERT_TRUE(line.next_collision(30));
+  const auto collision = line.next_collision(30).value();
+  EXPECT_NEAR(collision.flight, 9, 1e-14);
+  EXPECT_NEAR(collision.gap_before, 18, 1e-13);
+}
+
+TEST(Simulation, TakesTheGapAcrossASlidingFaceInTheImageThatWillTouch) {
+  // Shear rate 1, both at rest in the mean flow. The lower image of the second disk, at (7, -0.25),
+  // is 0.75 below the first and 6 ahead of it, and comes back at 0.75: contact at a distance along
+  // x of sqrt(1 - 0.75^2).
+  Plane disks(ShearBox<2, double>({10, 4}, 1, 2), {{{1, 0.5}, {7, 3.75}}, {{0, 0}, {0, 0}}}, {1.0});
+  const auto collision = disks.next_collision(30).value();
+  const double dx = std::sqrt(1 - 0.75 * 0.75);
+  EXPECT_NEAR(disks.time(), (6 - dx) / 0.75, 1e-13);
+  EXPECT_NEAR(collision.gap_before, std::sqrt(36 + 0.75 * 0.75) - 1, 1e-13);
+}
+
+TEST(Simulation, TakesTheHeightOfTheApexAsTheGapOfABallThatRises) {
+  // Thrown from the floor at 2 with G = 1: 2 to fall. Then with e = 1/2 at 1: 1/2.
+  Line ball(ShearBox<1, double>({100}, 0, 1.5, 0), {{{0.5}}, {{2}}}, {},
+            {{-1}, Walls<double>{.axis = 0, .restitution = 0.5}});
+  EXPECT_EQ(ball.next_collision(100)->gap_before, 2);
+  EXPECT_NEAR(ball.next_collision(100)->gap_before, 0.5, 1e-15);
+}
+
+TEST(Simulation, TakesTheGapOfABallThatFallsFromWhereItWasAtTheLastCollision) {
+  // Two disks bounce far apart: at 1 lands what was let go half a diameter up, at 2 the other one
+  // from 2 up. At time 1 that is 2 - 1/2 = 3/2 up and falls.
+  Plane disks(ShearBox<2, double>({20, 10}, 0, 1.5, 1), {{{5, 1}, {15, 2.5}}, {{0, 0}, {0, 0}}}, {},
+              {{0, -1}, Walls<double>{.axis = 1, .restitution = 1}});
+  ASSERT_EQ(disks.next_collision(10)->i, 0);
+  const auto collision = disks.next_collision(10).value();
+  ASSERT_EQ(collision.i, 1);
+  EXPECT_NEAR(disks.time(), 2, 1e-15);
+  EXPECT_NEAR(collision.gap_before, 1.5, 1e-15);
+}
+
 TEST(Simulation, StopsOnTheWayChangeNoCollisionWithWallsAndGravity) {
   const ShearBox<2, double> box({12, 12}, 0, 1.5, 1);
   const auto start = make_start<2>({Arrangement::random, 60, 1, 7}, box);

@@ -20,8 +20,8 @@ Summary collapsed_summary() {
   summary.outcome = "collapsed";
   summary.ended_by = "arrest";
   summary.verdict = "true";
-  summary.separation = {12, 70, 0.25, 90};
-  summary.arrest = {true, 88, 0.5, 10, {{0, 3}, {1, 3}}, {}, {}};
+  summary.separation = {12, 70, 0.25, 90, 0.5, 0.125};
+  summary.arrest = {true, 88, 0.5, 10, {{0, 3}, {1, 3}}, {}, {}, 1};
   return summary;
 }
 
@@ -64,10 +64,11 @@ TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
                                                   "anatomy",
                                                   "self_check"}));
   EXPECT_EQ(keys(json["separation"]),
-            (std::vector<std::string>{"hits", "first_collision", "first_time", "last_collision"}));
+            (std::vector<std::string>{"hits", "first_collision", "first_time", "last_collision",
+                                      "last_time", "longest_pause"}));
   EXPECT_EQ(keys(json["arrest"]),
             (std::vector<std::string>{"met", "collision", "time", "window", "pairs",
-                                      "extrapolated_time", "flight_ratio"}));
+                                      "extrapolated_time", "flight_ratio", "others_moving"}));
   EXPECT_EQ(keys(json["averages"]),
             (std::vector<std::string>{
                 "granular_temperature", "temperature_diagonal", "pressure", "pressure_tensor",
@@ -83,10 +84,11 @@ TEST(Summary, JsonTellsACollapseWithItsPairs) {
   const auto json = Json::parse(to_json(collapsed_summary(), 2));
   EXPECT_EQ(json["verdict"], "true");
   EXPECT_EQ(json["separation"].dump(),
-            R"({"hits":12,"first_collision":70,"first_time":0.25,"last_collision":90})");
+            R"({"hits":12,"first_collision":70,"first_time":0.25,"last_collision":90,)"
+            R"("last_time":0.5,"longest_pause":0.125})");
   EXPECT_EQ(json["arrest"].dump(),
             R"({"met":true,"collision":88,"time":0.5,"window":10,"pairs":[[0,3],[1,3]],)"
-            R"("extrapolated_time":null,"flight_ratio":null})");
+            R"("extrapolated_time":null,"flight_ratio":null,"others_moving":1})");
 }
 
 TEST(Summary, JsonHasNullWhereACriterionWasNeverMet) {
@@ -94,10 +96,11 @@ TEST(Summary, JsonHasNullWhereACriterionWasNeverMet) {
   summary.arrest.window = 10;
   const auto json = Json::parse(to_json(summary, 3));
   EXPECT_EQ(json["separation"].dump(),
-            R"({"hits":0,"first_collision":null,"first_time":null,"last_collision":null})");
+            R"({"hits":0,"first_collision":null,"first_time":null,"last_collision":null,)"
+            R"("last_time":null,"longest_pause":0.0})");
   EXPECT_EQ(json["arrest"].dump(),
             R"({"met":false,"collision":null,"time":null,"window":10,"pairs":[],)"
-            R"("extrapolated_time":null,"flight_ratio":null})");
+            R"("extrapolated_time":null,"flight_ratio":null,"others_moving":null})");
 }
 
 TEST(Summary, JsonHasTensorsAsArraysOfRows) {
@@ -191,9 +194,29 @@ TEST(Summary, TextBeginsWithTheVerdictInPlainWords) {
   summary.verdict = "open";
   EXPECT_EQ(to_text(summary, 2).find("Undecided: "), 0u);
   summary.verdict = "temporary";
-  EXPECT_EQ(to_text(summary, 2).find("No collapse, but a false alarm: "), 0u);
+  EXPECT_EQ(to_text(summary, 2).find("No arrest: "), 0u);
   summary.verdict = "none";
   EXPECT_EQ(to_text(summary, 2).find("No collapse: "), 0u);
+}
+
+TEST(Summary, TextTellsHowManyOthersStillMoveWhereTheClockStands) {
+  auto summary = collapsed_summary();
+  EXPECT_NE(to_text(summary, 2).find("It is the time of all: 1 other sphere was still moving.\n"),
+            std::string::npos);
+  EXPECT_NE(to_text(summary, 2).find("  0-3 1-3; 1 other sphere still moving\n"),
+            std::string::npos);
+  summary.arrest.others_moving = 0;
+  EXPECT_EQ(to_text(summary, 2).find("still moving"), std::string::npos);
+}
+
+TEST(Summary, OfAnOlderVersionTellsNeitherTheLastTimeNorWhoStillMoves) {
+  auto json = Json::parse(to_json(collapsed_summary(), 2));
+  json["separation"].erase("last_time");
+  json["separation"].erase("longest_pause");
+  json["arrest"].erase("others_moving");
+  const Summary old = summary_from_json(json.dump(), 2);
+  EXPECT_FALSE(old.separation.last_time);
+  EXPECT_FALSE(old.arrest.others_moving);
 }
 
 TEST(Summary, TextAlignsItsValuesInOneColumn) {
@@ -201,7 +224,7 @@ TEST(Summary, TextAlignsItsValuesInOneColumn) {
   summary.averages = planar_averages();
   const std::string text = to_text(summary, 2);
   for (const char* line :
-       {"\n  collisions              90 (45 per sphere)\n", "\n  arrested pairs          0-3 1-3\n",
+       {"\n  collisions              90 (45 per sphere)\n", "\n  arrested pairs          0-3 1-3;",
         "\n    along each axis       0.125         0.075\n",
         "\n    tensor                1             2\n",
         "\n                          3             4\n"}) {

@@ -62,6 +62,13 @@ TEST(ClosingTime, OfAnOverlapThatOpensTooSlowlyIsWhenItShrinks) {
   EXPECT_EQ(closing(-1.5, 1, -1), 1);  // at most -1.5 + 1 - 1/2 = -1, at time 1
 }
 
+TEST(WidestGap, IsTheHeightOfTheApexWhereTheGapOpensAndFallsBack) {
+  EXPECT_EQ(widest_gap<double>(0, 2, -4), 0.5);     // v^2 / (2 G)
+  EXPECT_EQ(widest_gap<double>(1.5, 1, -1), 2);     // from where it is
+  EXPECT_EQ(widest_gap<double>(1.5, -1, -1), 1.5);  // falls already
+  EXPECT_EQ(widest_gap<double>(1.5, -1, 0), 1.5);
+}
+
 TEST(ClosingTime, KeepsTheDigitsOfATinyGap) {
   // To first order gap / speed; the next term is smaller by 1e-17. The textbook root
   // (1 - sqrt(1 -+ 2e-17)) would be 0.

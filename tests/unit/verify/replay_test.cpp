@@ -66,6 +66,44 @@ TEST(Replay, MeetsTheImageBeyondASlidingFace) {
   EXPECT_EQ(contradictions(first, row, last, values), 0);
 }
 
+/// What is said of the gap in the first of two rows.
+std::int64_t contradictions_of_gap(double gap, const Snapshot& first, CollisionRow one,
+                                   const CollisionRow& two, const Case& values,
+                                   std::int64_t criteria_version) {
+  one.gap = gap;
+  Replay<2> replay(values, 2, criteria_version);
+  Findings findings;
+  replay.observe(first, findings);
+  replay.observe(one, findings);
+  replay.observe(two, findings);
+  EXPECT_EQ(replay.coverage().replayed, 2);
+  return findings.count();
+}
+
+TEST(Replay, FindsTheGapToTheImageThatMeetsAndInOldFilesToTheNearest) {
+  // After `touch` the speeds are 1/4 and 3/4; the image of the second behind the first is 10 - 1
+  // from it, 8 to close at a speed of 1/2: at time 2 + 16. In the nearest image they touch.
+  const CollisionRow again{2, 18, 0, 1, 0, 0.5, 0};
+  const Case values = planar_case();
+  EXPECT_EQ(contradictions_of_gap(8, begin, touch, again, values, 2), 0);
+  EXPECT_EQ(contradictions_of_gap(0, begin, touch, again, values, 2), 1);
+  EXPECT_EQ(contradictions_of_gap(0, begin, touch, again, values, 1), 0);
+  EXPECT_EQ(contradictions_of_gap(8, begin, touch, again, values, 1), 1);
+}
+
+TEST(Replay, FindsTheApexOfABallBetweenTwoBouncesAndInOldFilesTheFloor) {
+  // A disk half a diameter up lands at 1 with 1, leaves with 1/2, rises by 1/8, and lands at 2.
+  Case values = planar_case();
+  values.walls = {.axis = Axis::y, .restitution = 0.5};
+  values.gravity.acceleration = {0, -1};
+  const Snapshot first{0, 0, {1, 1, 5, 7}, {0, 0, 0, 0}, {10, 0, 0, 8}};
+  const CollisionRow landing{1, 1, 0, 2, 0, 1, 0};
+  const CollisionRow second{2, 2, 0, 2, 0, 0.5, 0};
+  EXPECT_EQ(contradictions_of_gap(0.125, first, landing, second, values, 2), 0);
+  EXPECT_EQ(contradictions_of_gap(0, first, landing, second, values, 2), 1);
+  EXPECT_EQ(contradictions_of_gap(0, first, landing, second, values, 1), 0);
+}
+
 TEST(Replay, OfARowWithoutTheOneBeforeIsNotTried) {
   const Case values = planar_case();
   Replay<2> replay(values, 2);
