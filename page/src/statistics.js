@@ -22,7 +22,7 @@ export const QUESTIONS = {
   hit: { name: "separation criterion met", happens: (runs, n) => runs.separation_hits[n] > 0 },
   arrest: { name: "arrest (true collapse)", happens: (runs, n) => runs.arrest_met[n] === 1 },
   false: {
-    name: "false positive: met, but no arrest",
+    name: "separation without arrest",
     happens: (runs, n) => runs.separation_hits[n] > 0 && runs.arrest_met[n] === 0,
   },
 };

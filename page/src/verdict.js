@@ -4,7 +4,7 @@ import { count, grouped, pairName, short } from "./format.js";
 /** What the four verdicts mean, in a word. */
 export const TITLES = {
   true: "True collapse",
-  temporary: "No collapse",
+  temporary: "No arrest",
   open: "Not decided",
   none: "No collapse",
 };
@@ -28,10 +28,11 @@ const SENTENCES = {
     `${short(arrest.time * scale(run), 8)}${unit(run) === "strain" ? " (strain)" : ""}, and the ${arrestedPairs(run)} ` +
     `${arrest.pairs.length === 1 ? "repeats" : "repeat"} for ever.`,
   temporary: (run, { collisions, separation: hits }) =>
-    `No collapse: the separation criterion raised a false alarm. It was met ` +
+    `No arrest: this computation met the separation criterion and left it again. It met it ` +
     `${count(hits.hits, "time")}, first at collision ${grouped(hits.first_collision)}, last at ` +
-    `${grouped(hits.last_collision)}, and the gas went on for ` +
-    `${grouped(collisions - hits.last_collision)} collisions without it.`,
+    `${grouped(hits.last_collision)}, and went on for ` +
+    `${grouped(collisions - hits.last_collision)} collisions without it. Whether the spheres had ` +
+    `collapsed is for adjudication to tell.`,
   open: (run, { separation: hits }) =>
     `Not decided: the separation criterion was met ${count(hits.hits, "time")}, last at collision ` +
     `${grouped(hits.last_collision)}, too close to the end of the run to tell.`,

@@ -229,7 +229,7 @@ describe("a sweep", () => {
     assert.deepEqual([wilson(0, 0).low, wilson(0, 0).high], [0, 1]);
   });
 
-  test("counts runs with a result only, and false positives as hits without arrest", () => {
+  test("counts runs with a result only, and hits without arrest apart", () => {
     const runs = {
       status: ["done", "done", "done", "failed", "pending", "done"],
       outcome: ["collapsed", "finished", "finished", null, null, "interrupted"],

@@ -2,6 +2,7 @@
 
 import json
 import sqlite3
+import tomllib
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,7 +18,7 @@ CONDITIONS = {  # SQL: the run met it, within :limit collisions per sphere
     "arrest": "COALESCE(arrest_collision * scale <= :limit, 0)",
 }
 CONDITIONS["false positive"] = f"({CONDITIONS['separation']} = 1 AND {CONDITIONS['arrest']} = 0)"
-CONDITIONS["open"] = "COALESCE(verdict = 'open', 0)"  # a false positive that might arrest yet
+CONDITIONS["open"] = "COALESCE(verdict = 'open', 0)"  # of these, those that might arrest yet
 # Collisions per sphere = 2 collisions / N, and N need not be an axis. What a run came to that
 # stop.wall_seconds ended depends on the machine: it is no result, whatever its status.
 SCALED = ("(SELECT *, collisions_per_sphere / NULLIF(collisions, 0) AS scale,"
@@ -122,6 +123,14 @@ class Ensemble:
         self.axes = tuple(Axis(key, _values(store, key, json.loads(text)))
                           for key, text in listed)
         self.longest = store.execute("SELECT MAX(collisions_per_sphere) FROM run").fetchone()[0]
+        self.rule = self._overlap_rule(store)
+
+    def _overlap_rule(self, store):
+        """The rule that leaves or keeps the hits; None where it is an axis."""
+        if any(axis.key == "collision.overlap" for axis in self.axes):
+            return None
+        case = tomllib.loads(store.execute("SELECT base_case FROM sweep").fetchone()[0])
+        return case.get("collision", {}).get("overlap", "rewind")  # the default of a case
 
     def _grouped(self, limit):
         keys = ", ".join(quoted(axis.key) for axis in self.axes)

@@ -163,13 +163,15 @@ def figure_grid(heading, rows, columns, size, **sharing):
 
 
 def _heading(part):
-    """How many runs are shown, and what is incomplete."""
+    """How many runs are shown, by which overlap rule they left their hits, what is incomplete."""
     counts, most = part.counts, int(part.counts.done.max())
     runs, done, failed, pending = (int(getattr(counts, name).sum())
                                    for name in ("runs", "done", "failed", "pending"))
     least = int(counts.done.min())
     text = (f"{words.grouped(done)} runs, {least if least == most else f'{least} to {most}'} a"
             " point; bars: 95 %")
+    if part.ensemble.rule:
+        text += f"; overlap rule {part.ensemble.rule}"
     if done < runs:
         text += f"; incomplete: {pending} pending, {failed} failed of {runs} (maps: hatched)"
     others = ", ".join(panels.said(key, value) for key, value in part.others)

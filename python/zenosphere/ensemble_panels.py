@@ -16,7 +16,7 @@ NAMES = {
     "drive.shear_rate": (r"$\dot\gamma$", r"Shear rate $\dot\gamma$"),
 }
 TITLES = {"separation": "separation criterion met", "arrest": "arrest criterion met",
-          "false positive": "separation without arrest", "open": "of these, open at the end"}
+          "false positive": "met, and left or still met", "open": "of these, still met at the end"}
 
 
 def symbol(key):

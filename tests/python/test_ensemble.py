@@ -9,6 +9,7 @@ from synthetic_store import write_store
 
 from zenosphere.__main__ import main
 from zenosphere.ensemble import Ensemble
+from zenosphere.ensemble_figures import _heading
 from zenosphere.ensemble_slices import chosen_parts, slices
 from zenosphere.errors import InputError
 
@@ -40,6 +41,17 @@ def test_counts_are_those_of_the_runs(tmp_path):
     assert counts.met["arrest"].tolist() == [[10, 10], [0, 0], [0, 0]]
     assert counts.met["false positive"].tolist() == [[0, 0], [5, 5], [0, 0]]
     assert counts.met["open"].tolist() == [[0, 0], [5, 5], [0, 0]]
+
+
+def test_figures_say_by_which_overlap_rule_hits_were_left(tmp_path):
+    store = write_store(tmp_path / "s.sqlite", AXES, graded)
+    part = next(slices(Ensemble(store), chosen_parts(Ensemble(store))))
+    assert _heading(part).endswith("; overlap rule rewind")  # that of a case that names none
+    with sqlite3.connect(store) as opened:
+        opened.execute("UPDATE sweep SET base_case = '[collision]\noverlap = \"guarded\"'")
+    opened.close()
+    part = next(slices(Ensemble(store), chosen_parts(Ensemble(store))))
+    assert _heading(part).endswith("; overlap rule guarded")
 
 
 def test_a_shorter_run_has_met_less(tmp_path):
