@@ -48,7 +48,8 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(doubl
     } else if (is_stale(meeting)) {
       go_stale(i);
     } else if (meeting.is_overlap() && rules_.overlap == OverlapRule::stop) {
-      const auto [a, b] = std::minmax(i, meeting.partner());
+      const std::int32_t j = meeting.partner();
+      const auto [a, b] = std::minmax(i, j);
       stopped_before_ = {a, b, gap_at_last_change(a, b, neighbour(a, b, meeting.time))};
     } else {
       return next_with(i);

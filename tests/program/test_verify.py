@@ -127,6 +127,8 @@ def test_a_number_of_the_summary(program, finished, key, value):
     ("arrest.met", {"met": False, "collision": None}),
     ("separation.hits", {"hits": 7}),
     ("separation.first_collision", {"first_collision": 7}),
+    ("separation.last_time", {"last_time": 1.25}),
+    ("separation.longest_pause", {"longest_pause": 0.5}),
 ])
 def test_criteria_of_a_collapse_are_counted_again(program, key, changes):
     case = CHECKOUT / "examples" / "kadanoff-1999-bouncing-column.toml"
@@ -134,6 +136,17 @@ def test_criteria_of_a_collapse_are_counted_again(program, key, changes):
     assert findings(program, code=0) == []
     with_summary(program.folder / "out.h5", **{key.split(".")[0]: changes})
     assert key in "".join(findings(program))
+
+
+def test_a_file_that_names_no_criteria_is_counted_by_those_of_older_versions(program):
+    # Between two bounces the gap of an older file is 0, that of the floor.
+    case = CHECKOUT / "examples" / "kadanoff-1999-bouncing-ball.toml"
+    program("run", case, "--quiet", "-o", "out.h5")
+    assert findings(program, code=0) == []
+    with h5py.File(program.folder / "out.h5", "r+") as run:
+        assert run["zenosphere"].attrs["criteria_version"] == 2
+        del run["zenosphere"].attrs["criteria_version"]
+    assert "gap = 0.28125" in findings(program)[0]  # 0.75^2 / 2, the apex
 
 
 @pytest.mark.parametrize("name", ["shear-e02", "van-noije-1999-2d-random-driving",
