@@ -249,4 +249,4 @@ def test_a_windowed_log_is_replayed_from_the_snapshot_before_it(program):
 
 
 def test_what_is_no_output_file_is_wrong_input(program):
-    assert "is not an HDF5 file" in program("verify", "case.toml", code=2).stderr
+    assert "is a case file" in program("verify", "case.toml", code=2).stderr
