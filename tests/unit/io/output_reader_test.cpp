@@ -78,7 +78,7 @@ TEST_F(OutputReader, RejectsAFolder) {
 }
 
 TEST_F(OutputReader, RejectsWhatIsNotHdf5) {
-  std::ofstream(path) << "[system]\n";
+  std::ofstream(path) << "some text\n";
   EXPECT_EQ(problem(), "is not an HDF5 file; name an output file of a run");
 }
 
