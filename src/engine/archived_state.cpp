@@ -74,7 +74,8 @@ template <int Dim, class Real>
 Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactRules<Real>& rules,
                                   const Surroundings<Dim, Real>& surroundings,
                                   ArchiveReader& archive)
-    : spheres_(box, surroundings.acceleration, archive),
+    : frame_(box, surroundings.acceleration),
+      spheres_(box, surroundings.acceleration - frame_.acceleration(), archive),
       rules_(rules),
       surroundings_(surroundings),
       calendar_(spheres_.count()),
@@ -85,14 +86,20 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
   require_archived(!meetings_.empty() && meetings_.size() == static_cast<std::size_t>(spheres()),
                    "events of another number of spheres");
   archive_clock(*this, archive);
-  require_counts(collisions_, settlings_, stale_events_, overlaps_ignored_);
+  require_counts(collisions_, settlings_, stale_events_, overlaps_ignored_, idle_events_);
+  require_archived(std::isfinite(stride_) && stride_ >= 1 &&
+                       std::ldexp(1.0, std::ilogb(stride_)) == stride_ &&
+                       (stride_ == 1 || !box.is_sheared()),
+                   "a clock that there is not");
+  span_ = Real(stride_) * box.clock_unit();
   require_archived(!stopped_before_ || is_pair(stopped_before_->i, stopped_before_->j),
                    "a pair that there is not");
-  for (const auto& instant : {now_, last_collision_, last_change_}) {
-    require_archived(
-        instant.remainder >= earliest_time() && instant.remainder <= 2 * this->box().clock_unit(),
-        "a time that there is not");
+  bool is_possible = now_.remainder >= earliest_time() && now_.remainder <= 2 * span_;
+  for (const auto& instant : {last_collision_, last_change_}) {
+    is_possible =
+        is_possible && elapsed(instant, now_, this->box().clock_unit()) >= earliest_time();
   }
+  require_archived(is_possible, "a time that there is not");
   apply_models();
   if (contact_physics_) archive(*contact_physics_);
   for (std::int32_t i = 0; i < spheres(); ++i) {
@@ -122,10 +129,10 @@ bool Simulation<Dim, Real>::is_pair(std::int32_t i, std::int32_t j) const {
 }
 
 /// What no event is before: overlaps lead into the past, which the clock counts from its last whole
-/// unit. Ten thousand units, and as many of the longest rewinds, are far beyond what runs do.
+/// stride. Ten thousand strides, and as many of the longest rewinds, are far beyond what runs do.
 template <int Dim, class Real>
 Real Simulation<Dim, Real>::earliest_time() const {
-  return -10000 * (box().clock_unit() + rewind_bound_.longest());
+  return -10000 * (span_ + rewind_bound_.longest());
 }
 
 /// Throws ArchiveError where sphere i has an event that no prediction makes.

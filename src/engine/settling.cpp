@@ -29,6 +29,14 @@ double most_width(int dimension) {
   return most[static_cast<std::size_t>(dimension - 1)];
 }
 
+/// Whether spheres cross so many cells between two collisions that their balls should be as wide as
+/// the cells. They are few, so that even all of them make no long list.
+bool fly_far_alone(double free_path, std::int32_t spheres, int dimension) {
+  constexpr std::int32_t few = 400;
+  constexpr double far = 1000;  // in widths: below, the few keep the digits that they have
+  return spheres <= few && free_path > far * most_width(dimension);
+}
+
 }  // namespace
 
 double fitting_cell_width(double volume, std::int64_t spheres, int dimension) {
@@ -55,7 +63,11 @@ Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   width = std::min(width, widest);  // what the grains of a cell measure
   Settling settling{};
   settling.grain = widest / AnchorCells::grains_a_cell;
-  width = std::min(width, std::max(most_width(Dim), 1 + 100 * settling.grain));
+  const double free_path = mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
+  const bool are_alone = fly_far_alone(free_path, spheres, Dim);
+  if (!are_alone) {
+    width = std::min(width, std::max(most_width(Dim), 1 + 100 * settling.grain));
+  }
   settling.reach = (width - 1) / 2 - grains_of_error * settling.grain;
   settling.distance = width;
   settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / 2
@@ -64,8 +76,7 @@ Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   settling.neighbours = spheres / static_cast<double>(box.volume()) *
                         unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(width, Dim);
   constexpr std::int32_t many = 100;  // fewer are fast anyway, and keep the digits that they have
-  const double free_path = mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
-  settling.is_dilute = spheres >= many && free_path > 2 * settling.reach;
+  settling.is_dilute = (spheres >= many || are_alone) && free_path > 2 * settling.reach;
   return settling;
 }
 

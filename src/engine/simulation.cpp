@@ -1,6 +1,7 @@
 #include "engine/simulation.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -13,11 +14,13 @@ template <int Dim, class Real>
 Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                                   const ContactRules<Real>& rules,
                                   const Surroundings<Dim, Real>& surroundings)
-    : spheres_(box, std::move(start), surroundings.acceleration),
+    : frame_(box, surroundings.acceleration),
+      spheres_(box, std::move(start), surroundings.acceleration - frame_.acceleration()),
       rules_(rules),
       surroundings_(surroundings),
       calendar_(spheres_.count()),
       meetings_(static_cast<std::size_t>(spheres_.count())),
+      span_(box.clock_unit()),
       rewind_bound_(box, surroundings.acceleration) {
   assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
   apply_models();
@@ -27,19 +30,20 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<
 template <int Dim, class Real>
 std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(double until) {
   waiting_ = false;
-  const Instant<Real> limit = instant_at(until, box().clock_unit());
+  Instant<Real> limit = instant(until);
   // Without collisions the caller is asked again about once per sphere that is settled.
   for (std::int32_t patience = 2 * spheres() + 1024; patience > 0 && !stopped_before_; --patience) {
     const std::int32_t i = calendar_.earliest();
     if (spheres() > most_spheres_in_cache) fetch_ahead();
-    at_rest_ = i == Calendar<Real>::kNone && !box().is_sheared();  // sliding layers do not rest
+    if (i == Calendar<Real>::kNone) at_rest_ = !box().is_sheared();  // sliding layers do not rest
     if (at_rest_) return std::nullopt;
     const Real next =
         i == Calendar<Real>::kNone ? std::numeric_limits<Real>::infinity() : calendar_.time(i);
     waiting_ = is_past(limit, next);
     if (waiting_) return std::nullopt;
-    if (next >= box().clock_unit()) {
+    if (next >= span_) {
       rebase(next, limit);
+      limit = instant(until);
       continue;
     }
     const Meeting<Real>& meeting = meetings(i).first();
@@ -65,15 +69,15 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(doubl
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::is_past(const Instant<Real>& limit, const Real& next) const {
   using std::floor;
-  const std::int64_t left = limit.units - now_.units;
+  const double left = limit.units - now_.units;
   if (left <= 0) return left < 0 || next > limit.remainder;
-  if (next < box().clock_unit() || box().is_sheared()) return false;
-  return floor(static_cast<Real>(next / box().clock_unit())) > static_cast<Real>(left);
+  if (next < span_ || box().is_sheared()) return false;
+  return floor(static_cast<Real>(next / span_)) * Real(stride_) > static_cast<Real>(left);
 }
 
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::has_reached(double time) const {
-  const Instant<Real> wanted = instant_at(time, box().clock_unit());
+  const Instant<Real> wanted = instant(time);
   return now_.units > wanted.units ||
          (now_.units == wanted.units && now_.remainder >= wanted.remainder);
 }
@@ -97,6 +101,7 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   collision.number = ++collisions_;
   last_collision_ = {now_.units, when};
   last_change_ = {now_.units, when};
+  idle_events_ = 0;
   if (const auto wall = this->wall(collision.j)) {
     bounce(collision, *wall);
   } else {
@@ -150,7 +155,8 @@ void Simulation<Dim, Real>::bounce(Collision<Dim, Real>& collision, int wall) {
   spheres_.advance(sphere, now_.remainder);
   sphere.position[walls.axis] = wall == 0 ? Real(0.5) : Real(box().sides()[walls.axis] - Real(0.5));
   if (acceleration != 0) velocity = outward * speed;
-  const auto [impact, change] = wall_impact(walls, wall, sphere.velocity);
+  const auto [impact, change] = wall_impact(
+      walls, wall, frame_.moves() ? sphere.velocity + frame_.velocity(now_) : sphere.velocity);
   collision.impact = impact;
   collision.change = change;
   const Vector before = sphere.velocity;
@@ -180,8 +186,9 @@ Neighbour Simulation<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const
 template <int Dim, class Real>
 Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j,
                                                Neighbour neighbour) const {
-  const Real when = last_change_.remainder +
-                    static_cast<Real>(last_change_.units - now_.units) * box().clock_unit();
+  const Real when =
+      last_change_.remainder +
+      (static_cast<Real>(last_change_.units) - static_cast<Real>(now_.units)) * box().clock_unit();
   if (const auto wall = this->wall(j)) {
     const int axis = surroundings_.walls->axis;
     const Real outward = *wall == 0 ? -1 : 1;
@@ -199,24 +206,20 @@ void Simulation<Dim, Real>::settle(std::int32_t i) {
   now_.remainder = std::max(now_.remainder, calendar_.time(i));
   const Real& meeting = meetings(i).first().time;
   predict_new(i, spheres_.settle(i, now_.remainder, meeting));
+  // Looked at when they are many, and twice, four times, ... as many.
+  const bool are_many = ++idle_events_ >= 2 * std::int64_t{spheres()} + 1024;
+  if (are_many && std::has_single_bit(static_cast<std::uint64_t>(idle_events_))) look_for_rest();
 }
 
-/// Sets the clock and all times back by whole units; the layers slide by as many cells.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::rebase(const Real& next_event, const Instant<Real>& limit) {
-  using std::floor;
-  const std::int64_t left = limit.units - now_.units;
-  std::int64_t units = 1;
-  if (!box().is_sheared()) {  // nothing happens until the next event: go there at once
-    const Real whole = floor(static_cast<Real>(next_event / box().clock_unit()));
-    units = whole < static_cast<Real>(left) ? static_cast<std::int64_t>(whole) : left;
-  }
-  const Real span = static_cast<Real>(units) * box().clock_unit();
-  now_.units += units;
-  now_.remainder = std::max(Real(0), Real(now_.remainder - span));
-  spheres_.set_back(span);
-  for (NextMeetings<Real>& next : meetings_) next.set_back(span);
-  calendar_.set_back(span);
+Configuration<Dim, Real> Simulation<Dim, Real>::configuration() const {
+  Configuration<Dim, Real> state = spheres_.configuration(now_.units, now_.remainder);
+  if (!frame_.moves()) return state;
+  const Vector place = frame_.place(now_);
+  const Vector velocity = frame_.velocity(now_);
+  for (Vector& position : state.positions) position = frame_.wrapped(position + place);
+  for (Vector& own : state.velocities) own += velocity;
+  return state;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Simulation<Dim, Real>;

@@ -13,6 +13,7 @@
 #include "engine/contacts_ahead.hpp"
 #include "engine/fetching.hpp"
 #include "engine/large_vector.hpp"
+#include "engine/moving_frame.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/next_meetings.hpp"
 #include "engine/rewind_bound.hpp"
@@ -126,8 +127,12 @@ class Simulation {
   /// The pair before whose collision OverlapRule::stop has ended the run, if it has.
   const std::optional<NextPair>& stopped_before() const { return stopped_before_; }
 
-  /// Nothing moves any more: there will be no further event unless by a kick.
+  /// Nothing moves any more, or what moves meets nobody: there will be no further collision unless
+  /// by a kick.
   bool is_at_rest() const { return at_rest_; }
+
+  /// Events since the last collision or kick: spheres that have only been settled.
+  std::int64_t idle_events() const { return idle_events_; }
 
   std::int32_t spheres() const { return spheres_.count(); }
   const ShearBox<Dim, Real>& box() const { return spheres_.box(); }
@@ -141,6 +146,9 @@ class Simulation {
 
   /// Whether the clock stands at `time` since the start, or later.
   bool has_reached(double time) const;
+
+  /// Units in which the clock counts: a power of two, 1 under shear.
+  double stride() const { return stride_; }
 
   /// Predictions that OverlapRule::guarded let pass.
   std::int64_t overlaps_ignored() const { return overlaps_ignored_; }
@@ -157,14 +165,13 @@ class Simulation {
 
   /// Velocity relative to the imposed profile at the sphere's place now, diameters/time.
   Vector peculiar_velocity(std::int32_t sphere) const {
-    return spheres_.peculiar_velocity(spheres_[sphere], now_.remainder);
+    const Vector velocity = spheres_.peculiar_velocity(spheres_[sphere], now_.remainder);
+    return frame_.moves() ? velocity + frame_.velocity(now_) : velocity;
   }
 
   /// The state now, wrapped into the box, as a configuration at strain 0 describes it; under shear
   /// the images of the box along y are displaced by lees_edwards_offset().
-  Configuration<Dim, Real> configuration() const {
-    return spheres_.configuration(now_.units, now_.remainder);
-  }
+  Configuration<Dim, Real> configuration() const;
 
   /// Displacement of the upper image of the box along x, in [-side/2, side/2), diameters.
   Real lees_edwards_offset() const {
@@ -207,6 +214,18 @@ class Simulation {
   Real gap_at_last_change(std::int32_t i, std::int32_t j, Neighbour neighbour) const;
   void settle(std::int32_t i);
   void rebase(const Real& next_event, const Instant<Real>& limit);
+  void set_back(double units);
+  bool widen_stride(const Real& leap);
+  bool lengthen_stride(double stride);
+  void shorten_stride();
+  bool only_cools() const;
+  void look_for_rest();
+  bool move_as_one() const;
+  bool nobody_meets() const;
+  Real fastest_beside(const Vector& velocity) const;
+  bool may_meet(std::int32_t i, std::int32_t j) const;
+  void move_frame(const Vector& change);
+  Instant<Real> instant(double time) const { return instant_at(time, box().clock_unit(), stride_); }
   void schedule(std::int32_t i);
   bool is_past(const Instant<Real>& limit, const Real& next) const;
   Real earliest_time() const;
@@ -221,7 +240,7 @@ class Simulation {
   static void archive_clock(Self& self, Archive& archive) {
     archive(self.now_, self.last_collision_, self.last_change_, self.collisions_, self.settlings_,
             self.stale_events_, self.overlaps_ignored_, self.stopped_before_, self.at_rest_,
-            self.rewind_bound_);
+            self.rewind_bound_, self.stride_, self.idle_events_, self.frame_);
   }
 
   void apply_models() {
@@ -234,12 +253,15 @@ class Simulation {
     return meetings_[static_cast<std::size_t>(i)];
   }
 
+  MovingFrame<Dim, Real> frame_;  ///< in which the spheres are
   Spheres<Dim, Real> spheres_;
   ContactRules<Real> rules_;
   Surroundings<Dim, Real> surroundings_;
   std::optional<ContactPhysics<Dim, Real>> contact_physics_;  ///< only with contact models
   Calendar<Real> calendar_;
   LargeVector<NextMeetings<Real>> meetings_;
+  double stride_ = 1;  ///< in which the clock counts, units
+  Real span_;          ///< the same in time: what the remainder of the clock stays below
   Instant<Real> now_;
   Instant<Real> last_collision_;
   Instant<Real> last_change_;  ///< of velocities: the last collision or kick
@@ -248,6 +270,7 @@ class Simulation {
   std::int64_t stale_events_ = 0;
   std::int64_t overlaps_ignored_ = 0;
   RewindBound<Dim, Real> rewind_bound_;
+  std::int64_t idle_events_ = 0;
   ContactsAhead<Real> ahead_;  ///< scratch
   std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;

@@ -1,7 +1,9 @@
-// What is done to a simulation between its collisions: it waits, and it is kicked.
+// What is done to a simulation between its collisions: it is kicked, it gets another frame, and
+// it is looked at whether anything will ever happen again.
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "engine/simulation.hpp"
@@ -10,30 +12,111 @@
 namespace zenosphere {
 
 template <int Dim, class Real>
-void Simulation<Dim, Real>::wait_until(double time) {
-  const Instant<Real> wanted = instant_at(time, box().clock_unit());
-  if (!box().is_sheared() && wanted.units > now_.units) {
-    rebase(std::numeric_limits<Real>::infinity(), wanted);
-  }
-  if (now_.units == wanted.units) now_.remainder = std::max(now_.remainder, wanted.remainder);
-}
-
-template <int Dim, class Real>
 void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   assert(changes.size() == meetings_.size());
+  shorten_stride();
   for (std::int32_t i = 0; i < spheres(); ++i) {
     spheres_.advance(spheres_[i], now_.remainder);
     spheres_[i].velocity += changes[static_cast<std::size_t>(i)];
   }
   at_rest_ = false;
+  idle_events_ = 0;
   last_change_ = now_;
   rewind_bound_.forget();
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                  \
-  template void Simulation<Dim, Real>::wait_until(double); \
-  template void Simulation<Dim, Real>::kick(const std::vector<Vec<Dim, Real>>&);
+/// Where spheres have long met nobody: notes whether they never will, and otherwise lets the frame
+/// drift with them where that makes them slow, so that they need not be settled so often.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::look_for_rest() {
+  if (box().is_sheared()) return;
+  at_rest_ = spheres_.acceleration() == Vector{} && (move_as_one() || nobody_meets());
+  if (at_rest_) return;
+  Vector mean;
+  for (std::int32_t i = 0; i < spheres(); ++i) mean += spheres_[i].velocity;
+  mean *= Real(1) / Real(spheres());
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!frame_.is_free(axis)) mean[axis] = 0;
+  }
+  if (2 * fastest_beside(mean) <= fastest_beside({})) move_frame(mean);
+}
+
+/// Whether nothing is left of the relative velocities but what rounding makes of equal ones.
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::move_as_one() const {
+  using std::abs;
+  const Vector& first = spheres_[0].velocity;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!frame_.is_free(axis) && first[axis] != 0) return false;
+    const Real rounding = 2 * std::numeric_limits<Real>::epsilon() * abs(first[axis]);
+    for (std::int32_t i = 1; i < spheres(); ++i) {
+      if (abs(spheres_[i].velocity[axis] - first[axis]) > rounding) return false;
+    }
+  }
+  return true;
+}
+
+/// The largest component, along the axes along which the frame may move, of the velocities relative
+/// to the given one.
+template <int Dim, class Real>
+Real Simulation<Dim, Real>::fastest_beside(const Vector& velocity) const {
+  using std::abs;
+  Real fastest = 0;
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    const Vector relative = spheres_[i].velocity - velocity;
+    for (int axis = 0; axis < Dim; ++axis) {
+      if (frame_.is_free(axis)) fastest = std::max(fastest, Real(abs(relative[axis])));
+    }
+  }
+  return fastest;
+}
+
+/// Lets the frame drift faster, and all spheres in it slower.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::move_frame(const Vector& change) {
+  frame_.speed_up(change, now_);
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    spheres_.advance(spheres_[i], now_.remainder);
+    spheres_[i].velocity -= change;
+  }
+  for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
+}
+
+/// Whether it is certain that no sphere ever meets another one or a wall.
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::nobody_meets() const {
+  constexpr std::int32_t most = 1000;  // so that all pairs can be looked at
+  if (spheres() > most) return false;
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    if (const auto axis = box().closed_axis(); axis && spheres_[i].velocity[*axis] != 0)
+      return false;
+    for (std::int32_t j = 0; j < i; ++j) {
+      if (may_meet(i, j)) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether two spheres that fly straight may meet in some image: not where they are apart across
+/// the axes along which they move, for good. Along several axes at once they come close one day.
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::may_meet(std::int32_t i, std::int32_t j) const {
+  const Vector velocity = spheres_[j].velocity - spheres_[i].velocity;
+  if (velocity == Vector{}) return false;
+  Vector across = spheres_.shortest_image(spheres_.position_at(spheres_[j], now_.remainder) -
+                                              spheres_.position_at(spheres_[i], now_.remainder),
+                                          now_.remainder);
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (velocity[axis] != 0) across[axis] = 0;
+  }
+  const Real margin = approach_margin;
+  return dot(across, across) < 1 + margin;
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                        \
+  template void Simulation<Dim, Real>::kick(const std::vector<Vec<Dim, Real>>&); \
+  template void Simulation<Dim, Real>::look_for_rest();
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

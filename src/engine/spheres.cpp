@@ -142,7 +142,7 @@ Real Spheres<Dim, Real>::profile_in_layer(const Sphere& sphere, const Real& when
 }
 
 template <int Dim, class Real>
-Real Spheres<Dim, Real>::lees_edwards_offset(std::int64_t units, const Real& when) const {
+Real Spheres<Dim, Real>::lees_edwards_offset(double units, const Real& when) const {
   if constexpr (Dim == 1) return 0;
   using std::floor;
   const Real& side = box_.sides()[0];
@@ -153,9 +153,9 @@ Real Spheres<Dim, Real>::lees_edwards_offset(std::int64_t units, const Real& whe
 /// Displacement of a layer against the one below it, diameters, up to two whole boxes: half a
 /// layer moves by half of it.
 template <int Dim, class Real>
-Real Spheres<Dim, Real>::slide(std::int64_t units, const Real& when) const {
+Real Spheres<Dim, Real>::slide(double units, const Real& when) const {
   if (!box_.is_sheared()) return 0;
-  const auto whole_cells = static_cast<int>(units % (2 * box_.cells()[0]));
+  const auto whole_cells = static_cast<int>(std::fmod(units, 2 * box_.cells()[0]));
   return whole_cells * box_.cell_width()[0] + box_.slide_speed() * when;
 }
 
@@ -175,8 +175,7 @@ void Spheres<Dim, Real>::wrap(Vector& position) const {
 }
 
 template <int Dim, class Real>
-Configuration<Dim, Real> Spheres<Dim, Real>::configuration(std::int64_t units,
-                                                           const Real& when) const {
+Configuration<Dim, Real> Spheres<Dim, Real>::configuration(double units, const Real& when) const {
   Configuration<Dim, Real> state;
   state.positions.reserve(spheres_.size());
   state.velocities.reserve(spheres_.size());

@@ -161,10 +161,10 @@ class Spheres {
   /// The state, wrapped into the box, as a configuration at strain 0 describes it.
   ///
   /// \param units  whole clock units since the start
-  Configuration<Dim, Real> configuration(std::int64_t units, const Real& when) const;
+  Configuration<Dim, Real> configuration(double units, const Real& when) const;
 
   /// Displacement of the upper image of the box along x, in [-side/2, side/2), diameters.
-  Real lees_edwards_offset(std::int64_t units, const Real& when) const;
+  Real lees_edwards_offset(double units, const Real& when) const;
 
  private:
   Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Real>& box, const Vector& acceleration);
@@ -208,7 +208,7 @@ class Spheres {
     return images_[static_cast<std::size_t>(way.code())];
   }
   Real profile_in_layer(const Sphere& sphere, const Real& when) const;
-  Real slide(std::int64_t units, const Real& when) const;
+  Real slide(double units, const Real& when) const;
   void wrap(Vector& position) const;
 
   Anchor& anchor(std::int32_t i) { return lists_.anchor(i); }

@@ -271,8 +271,8 @@ typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(doubl
 template <int Dim, class Real>
 void Spheres<Dim, Real>::set_back(const Real& span) {
   for (Sphere& sphere : spheres_) sphere.time -= span;
-  for (std::int32_t i = 0; i < count(); ++i) anchor(i).expires -= static_cast<float>(span);
   if (!box_.is_sheared()) return;
+  for (std::int32_t i = 0; i < count(); ++i) anchor(i).expires -= static_cast<float>(span);
   cells_.slide_by_one_cell();
   if (cells_.whole_slide() == 0) lists_.turn();
   find_images();

@@ -113,7 +113,7 @@ void read_checkpoint(const Handle& own, const fs::path& path, OutputInfo& info) 
   Checkpoint checkpoint;
   checkpoint.collisions = hdf5::number_attribute(group, "collisions");
   checkpoint.time = hdf5::real_attribute(group, "time");
-  checkpoint.clock_units = hdf5::number_attribute(group, "clock_units");
+  checkpoint.clock_units = hdf5::real_attribute(group, "clock_units");
   checkpoint.clock_remainder = hdf5::real_attribute(group, "clock_remainder");
   checkpoint.log_rows = hdf5::number_attribute(group, "log_rows");
   checkpoint.snapshots = hdf5::number_attribute(group, "snapshots");

@@ -83,13 +83,13 @@ struct CollisionRows {
 struct Checkpoint {
   std::int64_t collisions = 0;
   double time = 0;
-  std::int64_t clock_units = 0;  ///< the same time as the clock has it: whole units,
-  double clock_remainder = 0;    ///< and the rest, whose resolution does not depend on the length
-  std::int64_t log_rows = 0;     ///< rows of the collision log up to here
-  std::int64_t snapshots = 0;    ///< likewise
-  double wall_seconds = 0;       ///< that the run has taken so far
-  std::string summary{};         ///< JSON, of the run so far
-  Bytes state{};                 ///< of the run and all that observes it; begins with its version
+  double clock_units = 0;      ///< the same time as the clock has it: whole units,
+  double clock_remainder = 0;  ///< and the rest, whose resolution does not depend on the length
+  std::int64_t log_rows = 0;   ///< rows of the collision log up to here
+  std::int64_t snapshots = 0;  ///< likewise
+  double wall_seconds = 0;     ///< that the run has taken so far
+  std::string summary{};       ///< JSON, of the run so far
+  Bytes state{};               ///< of the run and all that observes it; begins with its version
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "io/json.hpp"
 
@@ -98,11 +99,24 @@ std::string line(std::string_view name, const std::string& value) {
 }
 
 std::string with_unit(double value, std::string_view unit) {
-  return fmt::format("{:.6g} {}", value, unit);
+  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+/// What there is only where spheres have met, or move.
+std::string with_unit_or_none(double value, std::string_view unit) {
+  return std::isnan(value) ? "none" : with_unit(value, unit);
+}
+
+/// What has ended the run, where that is no limit of its case and needs words.
+std::string end_sentence(const Summary& s) {
+  if (s.ended_by == "at rest") return "at rest: no collision will ever come";
+  if (s.ended_by == "clock") return "clock: the next collision is beyond its end";
+  if (s.ended_by == "idle") return "idle: nobody has met for too long; set run.time";
+  return s.ended_by;
 }
 
 std::string run_lines(const Summary& s) {
-  return line("outcome", fmt::format("{} (ended by: {})", s.outcome, s.ended_by)) +
+  return line("outcome", fmt::format("{} (ended by: {})", s.outcome, end_sentence(s))) +
          line("collisions",
               fmt::format("{} ({:.6g} per sphere)", s.collisions, s.collisions_per_sphere)) +
          line("time", fmt::format("{:.6g} (strain {:.6g})", s.time, s.strain));
@@ -195,9 +209,9 @@ std::string average_lines(const Averages& a, std::size_t dimension) {
     text +=
         line(row == 0 ? "  tensor" : "", row_text(a.pressure_tensor, row * dimension, dimension));
   }
-  text += line("compressibility factor", fmt::format("{:.6g}", a.compressibility_factor));
+  text += line("compressibility factor", with_unit_or_none(a.compressibility_factor, ""));
   text += line("collision rate", with_unit(a.collision_rate, "per sphere and time"));
-  text += line("normal speed", with_unit(a.normal_speed, "diameter/time"));
+  text += line("normal speed", with_unit_or_none(a.normal_speed, "diameter/time"));
   text += line("dissipation", with_unit(a.dissipation, "per volume and time"));
   text += line("shear work", with_unit(a.shear_work, "per volume and time"));
   if (a.other_work != 0) {

@@ -67,6 +67,10 @@ std::optional<std::string> reason_to_stay(const Case& values, const Summary& rea
     return "ended before an overlap, as collision.overlap = \"stop\" asks; there is nothing to "
            "resume";
   }
+  if (reached.ended_by == "clock") {
+    return fmt::format("has come to the end of its clock, at time {}; there is nothing to resume",
+                       reached.time);
+  }
   if (reached.ended_by != "at rest") return std::nullopt;
   return fmt::format("is at rest since time {}; there is nothing to resume", reached.time);
 }

@@ -9,6 +9,7 @@
 #include "collapse/verdict.hpp"
 #include "io/case_file.hpp"
 #include "run/checkpoint_cadence.hpp"
+#include "run/ending.hpp"
 #include "run/log_rows.hpp"
 #include "run/observers.hpp"
 #include "run/random_driving.hpp"
@@ -129,25 +130,18 @@ class Run final : public SteppedRun {
       ended_by_ = "signal";
     } else if (observers_.has_arrested() && values_.collapse.stop_when_collapsed) {
       ended_by_ = "arrest";
-    } else if (simulation_.stopped_before()) {
-      ended_by_ = "overlap";
-    } else if (simulation_.is_at_rest() && !driving_.is_on()) {
-      ended_by_ = "at rest";
+    } else if (const char* end = end_of_collisions(simulation_, driving_)) {
+      ended_by_ = end;
     } else if (limits.collisions && simulation_.collisions() >= *limits.collisions) {
       ended_by_ = "collisions";
-    } else if (simulation_.has_reached(end_of_time())) {
-      ended_by_ = "time";
+    } else if (const char* late = end_of_time(simulation_, values_)) {
+      ended_by_ = late;
     }
     return is_over();
   }
 
-  /// Where the case sets none, the end of the clock: a gas that has all but stopped gets there.
-  double end_of_time() const {
-    return values_.run.time.value_or(std::numeric_limits<double>::max());
-  }
-
   double next_pause() const {
-    const double next = std::min(end_of_time(), driving_.next_kick());
+    const double next = std::min(last_moment<Real>(values_), driving_.next_kick());
     return recorder_ ? std::min(next, recorder_->next_snapshot()) : next;
   }
 
@@ -164,7 +158,11 @@ class Run final : public SteppedRun {
       return;
     }
     // A longer run does not stop the clock at the end of this one: from here it can go on.
-    if (until >= end_of_time()) keep_the_end();
+    if (until >= last_moment<Real>(values_)) keep_the_end();
+    if (until >= end_of_clock<Real>()) {
+      ended_by_ = "clock";
+      return;
+    }
     simulation_.wait_until(until);
     if (recorder_ && simulation_.has_reached(recorder_->next_snapshot())) {
       recorder_->take_snapshot(simulation_);

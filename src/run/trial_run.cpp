@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/instantiate.hpp"
+#include "run/ending.hpp"
 
 namespace zenosphere {
 namespace {
@@ -45,6 +46,10 @@ void TrialRun<Dim, Real>::go(const TrialEnd& end) {
     if (const auto collision = simulation_.collision_until(next_pause())) {
       observe(*collision, end);
     } else if (simulation_.is_waiting()) {
+      if (next_pause() >= end_of_clock<Real>()) {
+        ended_by_ = "clock";
+        break;
+      }
       simulation_.wait_until(next_pause());
       if (simulation_.has_reached(driving_.next_kick())) {
         driving_.kick(simulation_, measurements_);
@@ -124,10 +129,9 @@ template <int Dim, class Real>
 std::string TrialRun<Dim, Real>::what_ends(const TrialEnd& end) {
   if (end.interrupt && *end.interrupt) return "interrupted";
   if (arrest_.is_met()) return "arrest";
-  if (simulation_.stopped_before()) return "overlap";
-  if (simulation_.is_at_rest() && !driving_.is_on()) return "at rest";
+  if (const char* over = end_of_collisions(simulation_, driving_)) return over;
   if (simulation_.collisions() >= end.collisions) return "collisions";
-  if (values_.run.time && simulation_.has_reached(*values_.run.time)) return "time";
+  if (const char* late = end_of_time(simulation_, values_)) return late;
   if (std::chrono::steady_clock::now() > end.deadline) return "budget";
   return end.followed ? what_ends(*end.followed) : "";
 }
@@ -148,8 +152,7 @@ std::string TrialRun<Dim, Real>::what_ends(const HitGroup& followed) const {
 
 template <int Dim, class Real>
 double TrialRun<Dim, Real>::next_pause() const {
-  const double end = values_.run.time.value_or(std::numeric_limits<double>::max());
-  return std::min(end, driving_.next_kick());
+  return std::min(last_moment<Real>(values_), driving_.next_kick());
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class TrialRun<Dim, Real>;

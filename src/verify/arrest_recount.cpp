@@ -29,7 +29,7 @@ void ArrestRecount::observe(const CollisionRow& row, double gap_before) {
   collision.time.remainder = row.time;
   lenient_.observe(collision);
   moves_ += (row.flags & collision_flag::clock_stood) == 0;
-  collision.time = {moves_, 0.0};
+  collision.time = {static_cast<double>(moves_), 0.0};
   strict_.observe(collision);
 }
 

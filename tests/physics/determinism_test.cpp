@@ -17,8 +17,9 @@ using support::Record;
 
 /// All numbers of a record, floating-point ones as their bits.
 std::vector<std::int64_t> bits(const Record& record) {
-  std::vector<std::int64_t> all{record.number, record.time.units,  record.i,
-                                record.j,      record.overlapping, record.absorbed};
+  std::vector<std::int64_t> all{record.number,      static_cast<std::int64_t>(record.time.units),
+                                record.i,           record.j,
+                                record.overlapping, record.absorbed};
   for (const double value :
        {record.time.remainder, record.flight, record.impact.normal[0], record.impact.normal[1],
         record.impact.normal[2], record.impact.distance, record.impact.normal_speed,

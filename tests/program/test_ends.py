@@ -1,0 +1,131 @@
+"""How runs end of which nothing more can be expected, and that they get there in reasonable time."""
+
+import json
+
+import h5py
+import numpy as np
+import pytest
+
+def case(system, start, *tables):
+    """A case file that cools freely unless a table says more."""
+    return "\n".join(["[system]", system, "[start]", 'arrangement = "given"', start, "[drive]", 'kind = "none"', *tables, ""])
+
+
+def rods(positions, velocities, *tables, restitution=1, side=7.5):
+    count = len(positions)
+    return case(f"dimension = 1\nspheres = {count}\nrestitution = {restitution}\nsides = [{side}]",
+                f"positions = {positions}\nvelocities = {velocities}", *tables)
+
+
+def summary_of(program, text, *words):
+    program.case.write_text(text)
+    done = program("run", program.case.name, "--json", "-o", "out.h5", "--overwrite", *words)
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def log_times(program):
+    with h5py.File(program.folder / "out.h5") as file:
+        return file["collisions/time"][()]
+
+
+@pytest.mark.parametrize("precision", ["double", "quad"])
+@pytest.mark.parametrize("speed", [1e-12, 1e-19, 1e-60, 1e-140])
+def test_two_slow_rods_collide_when_fast_ones_would(program, precision, speed):
+    # Centres at 2 and 5: a gap of 2, closed at twice the speed, then one of 7.5 - 2 = 5.5 around
+    # the box less the other diameter: 1, and again 5.5/2, 5.5/2 later.
+    text = rods([2, 5], [speed, -speed], f'[collision]\nprecision = "{precision}"',
+                "[run]\ncollisions = 3")
+    summary = summary_of(program, text)
+    assert summary["ended_by"] == "collisions" and summary["collisions"] == 3
+    np.testing.assert_allclose(log_times(program) * speed, [1, 3.75, 6.5], rtol=4e-15)
+
+
+def test_clock_ends_where_the_squares_of_speeds_do(program):
+    # 2^500 time units; what comes later is reported as that, not as a limit of the case.
+    text = rods([2, 5], [1e-152, -1e-152], "[run]\ncollisions = 3")
+    summary = summary_of(program, text)
+    assert (summary["outcome"], summary["ended_by"]) == ("finished", "clock")
+    assert summary["collisions"] == 0 and summary["time"] == 0
+    lines = program.fail("resume", "out.h5")
+    assert "has come to the end of its clock" in lines[-1]
+
+
+def test_gas_that_cools_goes_on_to_the_collisions_it_was_given(program):
+    text = case("dimension = 3\nspheres = 108\nrestitution = 0.8\nsolids_volume_fraction = 0.1",
+                "granular_temperature = 1.0\nseed = 1", "[run]\ncollisions = 100000")
+    summary = summary_of(program, text.replace('"given"', '"fcc"'))
+    assert (summary["collisions"], summary["ended_by"]) == (100000, "collisions")
+    assert summary["self_check"] is None and summary["time"] > 1e19
+
+
+@pytest.mark.parametrize("restitution, velocities", [
+    (0.5, [0.1, 0.1, 0.1]), (0.5, [0, 0, 0]), (0, [-1, 0.3, 0.2])])
+def test_rods_that_move_as_one_are_at_rest(program, restitution, velocities):
+    # The last three stick, and drift with their mean velocity, -1/6.
+    overlap = '[collision]\noverlap = "immediate"'
+    text = rods([0, 2.87, 5.36], velocities, overlap, "[run]\ncollisions = 1000",
+                restitution=restitution)
+    summary = summary_of(program, text)
+    assert (summary["outcome"], summary["ended_by"]) == ("finished", "at rest")
+    with h5py.File(program.folder / "out.h5") as file:
+        final = file["particles/spheres/velocity/value"][-1].ravel()
+    np.testing.assert_allclose(final, np.mean(velocities), rtol=1e-14, atol=1e-16)
+    assert "there is nothing to resume" in program.fail("resume", "out.h5")[-1]
+
+
+def test_disks_that_pass_each_other_for_ever_are_at_rest(program):
+    # Apart by 1.5 across the axis along which they move.
+    text = case("dimension = 2\nspheres = 2\nrestitution = 1\nsides = [8, 8]",
+                "positions = [[1, 1], [5, 2.5]]\nvelocities = [[1, 0], [-1, 0]]",
+                "[run]\ncollisions = 10")
+    summary = summary_of(program, text)
+    assert (summary["collisions"], summary["ended_by"]) == (0, "at rest")
+
+
+def test_summary_of_a_run_without_collisions_has_no_number_that_is_none(program):
+    program.case.write_text(rods([0, 2.87, 5.36], [0.1, 0.1, 0.1], "[run]\ntime = 10"))
+    table = program("run", program.case.name).stdout
+    assert "nan" not in table and "none" in table
+    assert summary_of(program, program.case.read_text())["averages"]["normal_speed"] is None
+
+
+@pytest.mark.parametrize("walls", ["", '[walls]\naxis = "y"\nrestitution = 1\n'])
+def test_spheres_that_fall_together_do_with_each_other_what_they_do_at_rest(program, walls):
+    # Galileo: the same collisions at the same times, and all velocities larger by g t.
+    text = case("dimension = 2\nspheres = 32\nrestitution = 0.9\nsolids_volume_fraction = 0.1",
+                "granular_temperature = 1.0\nseed = 1", walls, "[run]\ntime = 8")
+    text = text.replace('"given"', '"random"')
+    finals = []
+    for gravity in ("", "[gravity]\nacceleration = [-0.5, 0]\n"):
+        summary = summary_of(program, text + gravity)
+        with h5py.File(program.folder / "out.h5") as file:
+            finals.append((summary["collisions"], log_times(program),
+                           file["particles/spheres/velocity/value"][-1]))
+        program("verify", "out.h5")
+    assert finals[0][0] == finals[1][0] > 50
+    np.testing.assert_array_equal(finals[0][1], finals[1][1])
+    np.testing.assert_allclose(finals[1][2] - finals[0][2], [[-4, 0]] * 32, atol=1e-14)
+
+
+def test_disk_between_fast_rough_walls_crosses_its_box_a_million_times(program):
+    # Each wall makes the speed along x the mean of that and of the wall's (1 - 0.5), for good.
+    text = case("dimension = 2\nspheres = 1\nrestitution = 1\nsides = [10, 10]",
+                "positions = [[5, 5]]\nvelocities = [[0.3, 1]]",
+                '[walls]\naxis = "y"\nrestitution = 1\ntangential_restitution = -0.5',
+                "lower_speed = -1e6\nupper_speed = 1e6", "[run]\ncollisions = 30")
+    summary = summary_of(program, text)
+    assert summary["collisions"] == 30 and summary["self_check"] is None
+    # From the middle to the wall 4.5, then 9 each: 4.5 + 29 x 9.
+    assert summary["time"] == pytest.approx(265.5, rel=1e-12)
+    assert summary["ledger_error"] < 1e-12
+
+
+def test_far_apart_spheres_meet_in_seconds(program):
+    # 2 x 325/32 flights of a mean free path of 1.2e5 diameters.
+    text = case("dimension = 3\nspheres = 32\nrestitution = 1\nsolids_volume_fraction = 1e-6",
+                "granular_temperature = 1.0\nseed = 1", "[run]\ncollisions = 325")
+    summary = summary_of(program, text.replace('"given"', '"random"'))
+    assert summary["collisions"] == 325
+    # 4 n sqrt(pi T) per sphere and time, n = 6 phi/pi; 2 x 325 flights scatter by 4 % (1/sqrt(650)).
+    expected = 4 * 6e-6 / np.pi * np.sqrt(np.pi)
+    assert summary["averages"]["collision_rate"] == pytest.approx(expected, rel=5 * 325**-0.5)
