@@ -35,11 +35,22 @@ TEST(Clock, HasAnInstantForEveryTime) {
   const auto units_at = [](double time) { return instant_at(time, 0.5).units; };
   EXPECT_EQ(units_at(2.25), 4);
   EXPECT_EQ(instant_at(2.25, 0.5).remainder, 0.25);
-  EXPECT_EQ(units_at(1e300), most_units);
+  EXPECT_EQ(units_at(1e300), 2e300);
   EXPECT_EQ(units_at(std::numeric_limits<double>::infinity()), most_units);
   EXPECT_EQ(units_at(std::numeric_limits<double>::quiet_NaN()), most_units);
   EXPECT_EQ(units_at(-0.25), -1);  // an overlap in a forged state leads that far back, or farther
   EXPECT_EQ(units_at(-1e300), -1);
+}
+
+TEST(Clock, CountsInStridesThatKeepItExact) {
+  EXPECT_EQ(least_stride(0), 1);
+  EXPECT_EQ(least_stride(0x1p52 - 1), 1);
+  EXPECT_EQ(least_stride(0x1p52), 2);
+  EXPECT_EQ(least_stride(most_units), 0x1p972);
+  // 21 units of 0.5 are five strides of four and one unit.
+  const Instant<double> instant = instant_at(10.625, 0.5, 4);
+  EXPECT_EQ(instant.units, 20);
+  EXPECT_EQ(instant.remainder, 0.625);
 }
 
 }  // namespace
