@@ -16,7 +16,8 @@ struct Certificate {
     escapes,        ///< proven: after so many collisions nothing will ever collide again
   };
   Kind kind = Kind::none;
-  std::string word{};           ///< the contacts of one round, "abcb"; empty if none repeats
+  std::string
+      word{};  ///< one round of contacts, "abcb": for `none`, the last that repeated; may be empty
   std::vector<int> spheres{};   ///< of the cluster, in the order of its letters' places
   std::int64_t collisions = 0;  ///< that were followed one by one
   std::string lower{};     ///< decimal: the collapse is not before, for `enclosed` the last contact

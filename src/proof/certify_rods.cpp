@@ -161,6 +161,7 @@ class RodProof {
       if (event == ExactRods::Event::none_left) return escaped();
       if (event == ExactRods::Event::exact_contact) return touched();
       history_.push_back(rods_.letter());
+      if (limits_.interrupt && *limits_.interrupt) return given_up("interrupted");
       if (static_cast<std::int64_t>(history_.size()) < next_attempt_) continue;
       next_attempt_ += std::max<std::int64_t>(1, next_attempt_ / 8);
       if (auto certificate = attempt()) return *certificate;

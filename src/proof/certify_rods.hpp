@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "proof/certificate.hpp"
@@ -14,6 +15,7 @@ struct RodLimits {
   /// Of the longest number: c and u grow by log2(2 x the denominator of e) bits a contact, and the
   /// time of all contacts with the square of their number.
   std::int64_t bits = 1000000;
+  const std::atomic<bool>* interrupt = nullptr;
 };
 
 /// Follows rods on a line in exact arithmetic and proves that they collapse, or that they never

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -108,8 +109,9 @@ TEST(CertifyRods, NoProofWhileAnotherRodIsOnItsWay) {
   EXPECT_EQ(alone.kind, Kind::proven);
   EXPECT_EQ(alone.spheres, (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(alone.exact, "40/11");
-  // From 3.5 diameters away at speed 1 it arrives at t = 3.1..., before 40/11.
-  start.positions.back() = "7.5";
+  // Sixth contact at 40/11 (1 - (5/16)^5) = 3.6255, end at 3.6364. In between, at 3.630, the third
+  // rod is near 4/3 + 3/8 t + 1 = 3.695, and so is 8.325 - t - 1.
+  start.positions.back() = "8.325";
   start.velocities.back() = "-1";
   const Certificate disturbed = certify_rods(start);
   EXPECT_FALSE(disturbed.kind == Kind::proven && disturbed.exact == "40/11");
@@ -159,6 +161,15 @@ TEST(CertifyRods, ElasticRodsAreNeverProvenToCollapse) {
   EXPECT_EQ(certify_rods(start, {.contacts = 1000}).kind, Kind::none);
   start.period = "";
   EXPECT_EQ(certify_rods(start).kind, Kind::escapes);
+}
+
+TEST(CertifyRods, AnInterruptEndsIt) {
+  const std::atomic<bool> interrupt = true;
+  RodsStart start = four_rods("1");
+  start.period = "9";
+  const Certificate certificate = certify_rods(start, {.interrupt = &interrupt});
+  EXPECT_EQ(certificate.kind, Kind::none);
+  EXPECT_EQ(certificate.collisions, 1);
 }
 
 TEST(CertifyRods, EqualTimesOfSeparatePairsAreToldWhereTheProofDoesNotCoverThem) {
