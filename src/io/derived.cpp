@@ -119,6 +119,25 @@ void add_run(const Case& values, Lines& lines) {
   lines.add("collisions per sphere", 2 * collisions / spheres, "at most");
 }
 
+/// What the criteria of collapse are asked to see: a warning where that is not the end of the
+/// digits.
+void add_collapse(const Case& values, Lines& lines) {
+  const double threshold = values.collapse.gap_threshold;
+  const double resolved = default_gap_threshold(values.collision.precision);
+  constexpr double most = 100;  // gaps are good to some ten times it in a box of twenty diameters
+  if (threshold > most * resolved) {
+    lines.add(
+        "gap threshold",
+        fmt::format("{:.3g} times that of the precision (warning: spheres that are close count "
+                    "as hits, and only the clock tells an arrest)",
+                    threshold / resolved),
+        "");
+  }
+  const auto spheres = static_cast<double>(values.system.spheres);
+  lines.add("window", 2 * static_cast<double>(values.collapse.window) / spheres,
+            "collisions per sphere");
+}
+
 /// Most collisions that the log can hold, or infinity where only the time limits the run.
 double most_logged(const Case& values) {
   if (values.output.collision_log == CollisionLog::none) return 0;
@@ -151,6 +170,7 @@ std::string text_in(const Case& values) {
   if constexpr (Dim > 1) add_shear(values, box.sides()[1], lines);
   add_kicks(values, lines);
   add_contact(values, lines);
+  add_collapse(values, lines);
   add_run(values, lines);
   add_output(values, lines);
   return lines.text();

@@ -107,6 +107,16 @@ TEST(DerivedText, TellsStrainOnlyUnderShear) {
   EXPECT_EQ(line_of(overridden(shear_case, {"drive.shear_rate=0"}), "time of one strain unit"), "");
 }
 
+TEST(DerivedText, WarnsOfAThresholdFarAboveTheDigits) {
+  EXPECT_EQ(line_of(overridden(shear_case, {}), "gap threshold"), "");
+  EXPECT_EQ(line_of(overridden(shear_case, {"collapse.gap_threshold=1e-14"}), "gap threshold"), "");
+  EXPECT_EQ(line_of(overridden(shear_case, {"collapse.gap_threshold=1e-12"}), "gap threshold"),
+            "1e+04 times that of the precision (warning: spheres that are close count as hits, and "
+            "only the clock tells an arrest)");
+  EXPECT_EQ(line_of(overridden(shear_case, {"collapse.window=10000"}), "window"),
+            "5 collisions per sphere");
+}
+
 TEST(DerivedText, TellsTheSizeOfTheOutput) {
   // 2^20 collisions of 41 bytes; 2^14 of them in the window; 4000 x 48 bytes = 0.18310547 MiB.
   const std::vector<std::string> limited{"run.collisions=1048576"};

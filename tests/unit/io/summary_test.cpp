@@ -235,7 +235,7 @@ TEST(Summary, TextAlignsItsValuesInOneColumn) {
 TEST(Summary, TextNamesOnlyTheFirstPairsOfALargeCluster) {
   auto summary = collapsed_summary();
   summary.arrest.pairs.assign(9, {4, 5});
-  EXPECT_NE(to_text(summary, 2).find(" 4-5 4-5 4-5 4-5 4-5 4-5 and 3 more\n"), std::string::npos);
+  EXPECT_NE(to_text(summary, 2).find(" 4-5 4-5 4-5 4-5 4-5 4-5 and 3 more;"), std::string::npos);
 }
 
 }  // namespace
