@@ -164,12 +164,13 @@ TEST_F(HostileState, NoChangedByteDoesHarm) {
 }
 
 TEST_F(HostileState, CountsAndPairsThatCannotBeAreRefused) {
-  // Last come the number of overlaps ignored, the pair before which the run was stopped (none), and
-  // whether it is at rest.
-  const Bytes front(bytes.begin(), bytes.end() - 10);
-  const auto with = [&](std::int64_t count, const std::optional<Gas::NextPair>& pair) {
+  // Last come the number of overlaps ignored, the pair before which the run was stopped (none),
+  // whether it is at rest, and of rewinds two speeds and the collision of the next look: none yet.
+  const Bytes front(bytes.begin(), bytes.end() - 34);
+  const auto with = [&](std::int64_t count, const std::optional<Gas::NextPair>& pair,
+                        double fastest = 0, std::int64_t next_look = 0) {
     ArchiveWriter end;
-    end(count, pair, false);
+    end(count, pair, false, fastest, 0.0, next_look);
     Bytes all = front;
     all.insert(all.end(), end.bytes().begin(), end.bytes().end());
     return all;
@@ -179,6 +180,9 @@ TEST_F(HostileState, CountsAndPairsThatCannotBeAreRefused) {
   EXPECT_FALSE(is_refused(with(0, Gas::NextPair{22, 23, 0})));
   EXPECT_TRUE(is_refused(with(0, Gas::NextPair{23, 24, 0})));  // there is no wall
   EXPECT_TRUE(is_refused(with(0, Gas::NextPair{-1, 1, 0})));
+  EXPECT_TRUE(is_refused(with(0, std::nullopt, -1)));
+  EXPECT_TRUE(is_refused(with(0, std::nullopt, std::numeric_limits<double>::quiet_NaN())));
+  EXPECT_TRUE(is_refused(with(0, std::nullopt, 0, -1)));
 }
 
 }  // namespace
