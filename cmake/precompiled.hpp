@@ -1,9 +1,9 @@
 // What nearly every source includes and takes seconds to read: precompiled, once for each set of
 // flags (cmake/precompiled.cmake). A source still includes all that it uses itself.
-#include <boost/multiprecision/float128.hpp>
-#include <boost/multiprecision/mpfr.hpp>
+#include <mpfr.h>
 
 #include <algorithm>
+#include <boost/multiprecision/float128.hpp>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>

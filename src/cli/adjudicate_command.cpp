@@ -1,5 +1,6 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,14 +59,18 @@ void add_adjudicate(CLI::App& app, int& status) {
   command.add_option("file", arguments->file, "output file of a run, or a case file")
       ->required()
       ->type_name("OUT.h5|CASE.toml");
-  const std::map<std::string, Precision> ladder{{"double", Precision::double_precision},
-                                                {"extended", Precision::extended},
-                                                {"quad", Precision::quad},
-                                                {"digits100", Precision::digits100}};
+  const auto read_precision = [arguments](const std::string& word) {
+    arguments->up_to = Precision::from_word(word);
+    if (arguments->up_to) return;
+    throw CLI::ValidationError(
+        "--up-to",
+        fmt::format("{} (must be double, extended, quad or digitsN with N from {} to {})", word,
+                    fewest_digits, most_digits));
+  };
   command
-      .add_option("--up-to", arguments->up_to,
-                  "highest precision to try; without it digits100, and more while digits run out")
-      ->transform(CLI::CheckedTransformer(ladder))
+      .add_option_function<std::string>(
+          "--up-to", read_precision,
+          "highest precision to try; without it digits100, and more while digits run out")
       ->type_name("PRECISION");
   command
       .add_option("--collisions", arguments->collisions,

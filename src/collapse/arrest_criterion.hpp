@@ -34,7 +34,7 @@ class ArrestCriterion {
   /// \param window       collisions, >= 2
   /// \param clock_unit   of the simulation's clock
   /// \param repetitions  of each pair on average
-  ArrestCriterion(double threshold, std::int64_t window, const Real& clock_unit,
+  ArrestCriterion(const Real& threshold, std::int64_t window, const Real& clock_unit,
                   std::int64_t repetitions = enough_repetitions)
       : threshold_(threshold),
         window_(window),

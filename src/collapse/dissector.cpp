@@ -5,6 +5,7 @@
 
 #include "collapse/decay.hpp"
 #include "model/instantiate.hpp"
+#include "model/real.hpp"
 
 namespace zenosphere {
 
@@ -62,8 +63,8 @@ class ClusterSequence {
     rows_.time.push_back(static_cast<double>(step.time));
     rows_.i.push_back(trace.i);
     rows_.j.push_back(trace.j);
-    rows_.gap.push_back(static_cast<double>(step.gap));
-    rows_.normal_speed.push_back(static_cast<double>(step.normal_speed));
+    rows_.gap.push_back(nearest_double(step.gap));
+    rows_.normal_speed.push_back(nearest_double(step.normal_speed));
     rows_.flight.push_back(static_cast<double>(step.flight));
   }
 

@@ -27,7 +27,7 @@ class Dissector {
   /// \param threshold    gap in diameters
   /// \param clock_unit   of the simulation's clock
   /// \param restitution  to compare a chain with; none where it is not constant
-  Dissector(double threshold, std::int32_t spheres, const Real& clock_unit,
+  Dissector(const Real& threshold, std::int32_t spheres, const Real& clock_unit,
             std::optional<double> restitution)
       : threshold_(threshold),
         spheres_(spheres),

@@ -20,7 +20,7 @@ class SeparationCriterion {
  public:
   /// \param threshold   gap in diameters
   /// \param clock_unit  of the simulation's clock
-  SeparationCriterion(double threshold, const Real& clock_unit)
+  SeparationCriterion(const Real& threshold, const Real& clock_unit)
       : threshold_(threshold), clock_unit_(clock_unit) {}
 
   void observe(const Collision<Dim, Real>& collision) {

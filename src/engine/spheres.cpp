@@ -124,6 +124,24 @@ Neighbour Spheres<Dim, Real>::nearest_image(std::int32_t i, std::int32_t j,
 }
 
 template <int Dim, class Real>
+Vec<Dim, Real> Spheres<Dim, Real>::shortest_image(Vector way, const Real& when) const {
+  using std::floor;
+  for (int axis = Dim - 1; axis >= 0; --axis) {  // layers first: they decide about the columns
+    if (box_.is_closed(axis)) continue;
+    const Real& side = box_.sides()[axis];
+    const Real half = side / 2;
+    if (-half < way[axis] && way[axis] < half) continue;
+    const Real periods = floor(static_cast<Real>(way[axis] / side + Real(0.5)));
+    way[axis] -= periods * side;
+    if (axis == 1) {
+      const Real slide = cells_.whole_slide() * box_.cell_width()[0] + box_.slide_speed() * when;
+      way[0] -= periods * (box_.cells()[1] * slide);
+    }
+  }
+  return way;
+}
+
+template <int Dim, class Real>
 Real Spheres<Dim, Real>::square(std::int32_t i, Neighbour neighbour, const Real& when) const {
   const Vector dr = motion(i, neighbour, when).dr;
   return dot(dr, dr);

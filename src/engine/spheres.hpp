@@ -96,6 +96,9 @@ class Spheres {
                     {other.position - own.position, other.velocity - own.velocity});
   }
 
+  /// The shortest of the periodic images of a way between two spheres at `when`, axis by axis.
+  Vector shortest_image(Vector way, const Real& when) const;
+
   std::span<const Neighbour> neighbours(std::int32_t i) const { return lists_.of(i); }
 
   /// The first two contacts of i with these neighbours, where they can be found without a look at
@@ -116,7 +119,7 @@ class Spheres {
     const Viewpoint<Dim, Real> here = viewpoint(i, when);
     const RoughViewpoint<Dim> roughly(here);
     for (const Neighbour neighbour : neighbours) {
-      if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Extended>::digits) {
+      if constexpr (!std::is_floating_point_v<Real>) {  // dear numbers
         const Sphere& other = (*this)[neighbour.sphere()];
         if (!falls_ && roughly.misses(other, image(neighbour.way()))) continue;
       }

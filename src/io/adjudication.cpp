@@ -8,10 +8,15 @@
 namespace zenosphere {
 namespace {
 
+/// A number, or its text where it is too small for one.
+Json json_of(const GapThreshold& threshold) {
+  return threshold.fits_double() ? Json(threshold.nearest_double()) : Json(threshold.text());
+}
+
 Json json_of(const Trial& trial) {
   return {{"precision", word(trial.precision)},
           {"overlap", word(trial.rule)},
-          {"gap_threshold", trial.gap_threshold},
+          {"gap_threshold", json_of(trial.gap_threshold)},
           {"collisions", trial.collisions},
           {"ended_by", trial.ended_by},
           {"time", trial.time},

@@ -14,7 +14,7 @@ namespace zenosphere {
 struct Trial {
   Precision precision = Precision::double_precision;
   OverlapRule rule = OverlapRule::rewind;
-  double gap_threshold = 0;  ///< diameters, scaled to the precision
+  GapThreshold gap_threshold = 1e-16;  ///< diameters, scaled to the precision
 
   std::int64_t collisions = 0;  ///< of the whole run, at the end of the trial
   /// "digits" (spent), "apart" (flown), "arrest", "overlap", "at rest", "collisions", "time",

@@ -6,31 +6,16 @@
 #include <vector>
 
 #include "engine/arrangement.hpp"
+#include "model/gap_threshold.hpp"
 #include "model/overlap_rule.hpp"
+#include "model/precision.hpp"
 
 namespace zenosphere {
 
 enum class DriveKind { none, shear, random };
-enum class Precision { double_precision, extended, quad, digits100 };
 enum class RestitutionLaw { constant, viscoelastic };
 enum class CollisionLog { all, window, none };
 enum class Axis { x, y, z };
-
-/// The threshold of the separation criterion, 1e-16 diameters in `double`, scaled to the rounding
-/// of a precision: by 2^-11, 2^-60 and 2^-281 for significands of 64, 113 and 334 bits.
-constexpr double default_gap_threshold(Precision precision) {
-  switch (precision) {
-    case Precision::extended:
-      return 1e-16 * 0x1p-11;
-    case Precision::quad:
-      return 1e-16 * 0x1p-60;
-    case Precision::digits100:
-      return 1e-16 * 0x1p-281;
-    case Precision::double_precision:
-      break;
-  }
-  return 1e-16;
-}
 
 /// One run as its user describes it: the resolved content of a case file.
 ///
@@ -79,8 +64,8 @@ struct Case {
     double rotation_angle = 0;         ///< largest, radians; 0: not used
   } collision;
   struct Collapse {
-    double gap_threshold = 1e-16;  ///< diameters
-    std::int64_t window = 10000;   ///< collisions
+    GapThreshold gap_threshold = 1e-16;  ///< diameters
+    std::int64_t window = 10000;         ///< collisions
     bool stop_when_collapsed = true;
   } collapse;
   struct Run {

@@ -200,7 +200,7 @@ void Reader::check(const Rule& rule) {
 /// A threshold that the user does not fix follows the rounding of the number type.
 void Reader::scale_threshold() {
   if (!is_given("collapse.gap_threshold")) {
-    values_.collapse.gap_threshold = default_gap_threshold(values_.collision.precision);
+    values_.collapse.gap_threshold = GapThreshold(values_.collision.precision);
   }
 }
 

@@ -24,19 +24,7 @@ constexpr double most_rounding = 0.01;
 constexpr double most_misplaced = 1e-6;
 
 /// Distance from 1 to the next number.
-double rounding_of(Precision precision) {
-  switch (precision) {
-    case Precision::extended:
-      return 0x1p-63;
-    case Precision::quad:
-      return 0x1p-112;
-    case Precision::digits100:
-      return 0x1p-333;
-    case Precision::double_precision:
-      break;
-  }
-  return 0x1p-52;
-}
+double rounding_of(Precision precision) { return std::ldexp(1.0, 1 - precision.bits()); }
 
 /// `must be 0 or in [1e-100, 1e+100]`
 std::string range_text() { return fmt::format("must be 0 or in [{:g}, {:g}]", slowest, fastest); }

@@ -32,7 +32,7 @@ struct Range {
 using Slot =
     std::variant<double*, int*, std::int64_t*, std::uint64_t*, bool*, std::optional<double>*,
                  std::optional<std::int64_t>*, Arrangement*, DriveKind*, OverlapRule*, Precision*,
-                 RestitutionLaw*, CollisionLog*, std::optional<Axis>*, std::string*,
+                 GapThreshold*, RestitutionLaw*, CollisionLog*, std::optional<Axis>*, std::string*,
                  std::vector<double>*, std::vector<std::vector<double>>*>;
 
 /// Most spheres whose positions a case file may write down: they make it 15 MB large.

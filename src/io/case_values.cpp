@@ -33,9 +33,6 @@ constexpr std::array axis_words{Word{"x", Axis::x}, Word{"y", Axis::y}, Word{"z"
 constexpr std::array overlap_words{
     Word{"rewind", OverlapRule::rewind}, Word{"immediate", OverlapRule::immediate},
     Word{"guarded", OverlapRule::guarded}, Word{"stop", OverlapRule::stop}};
-constexpr std::array precision_words{
-    Word{"double", Precision::double_precision}, Word{"extended", Precision::extended},
-    Word{"quad", Precision::quad}, Word{"digits100", Precision::digits100}};
 constexpr std::array law_words{Word{"constant", RestitutionLaw::constant},
                                Word{"viscoelastic", RestitutionLaw::viscoelastic}};
 constexpr std::array log_words{Word{"all", CollisionLog::all}, Word{"window", CollisionLog::window},
@@ -45,7 +42,6 @@ const auto& words_of(Arrangement) { return arrangement_words; }
 const auto& words_of(DriveKind) { return drive_words; }
 const auto& words_of(Axis) { return axis_words; }
 const auto& words_of(OverlapRule) { return overlap_words; }
-const auto& words_of(Precision) { return precision_words; }
 const auto& words_of(RestitutionLaw) { return law_words; }
 const auto& words_of(CollisionLog) { return log_words; }
 
@@ -96,6 +92,39 @@ requires std::is_enum_v<Choice> Objection store_in(Choice& slot, const Value& va
     return std::nullopt;
   }
   return no_such_word<Choice>(*text);
+}
+
+Objection store_in(Precision& slot, const Value& value, const Range&) {
+  static const std::string choices =
+      fmt::format("\"double\", \"extended\", \"quad\" or \"digitsN\" with N from {} to {}",
+                  fewest_digits, most_digits);
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text) return wrong_kind(value, "one of the words " + choices);
+  const auto precision = Precision::from_word(*text);
+  if (precision) {
+    slot = *precision;
+    return std::nullopt;
+  }
+  constexpr std::array<std::string_view, 4> words{"double", "extended", "quad", "digits100"};
+  const auto meant = text->starts_with("digits") ? std::nullopt : nearest(*text, words);
+  return fmt::format("(must be {})", choices) +
+         (meant ? fmt::format("; did you mean {}?", in_quotes(*meant)) : "");
+}
+
+Objection store_in(double& slot, const Value& value, const Range& range);
+
+/// A number, or the text of one that is too small for `double`.
+Objection store_in(GapThreshold& slot, const Value& value, const Range& range) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    const auto threshold = GapThreshold::from_text(*text);
+    if (!threshold) return "(must be a number > 0, or the text of one as in \"1e-1000\")";
+    slot = *threshold;
+    return std::nullopt;
+  }
+  double number = 0;
+  if (auto objection = store_in(number, value, range)) return objection;
+  slot = number;
+  return std::nullopt;
 }
 
 Objection store_in(bool& slot, const Value& value, const Range&) {
@@ -239,8 +268,15 @@ std::optional<std::string> text_of(const std::vector<std::vector<double>>& rows)
   return text + ']';
 }
 
+/// What is too small for a TOML reader's `double` stands in quotes.
+std::optional<std::string> text_of(const GapThreshold& threshold) {
+  return threshold.fits_double() ? real_text(threshold.nearest_double())
+                                 : in_quotes(threshold.text());
+}
+
 template <class Held>
 std::optional<std::string> text_of(const Held& held) {
+  if constexpr (std::is_same_v<Held, Precision>) return in_quotes(held.word());
   if constexpr (std::is_same_v<Held, std::string>) {
     return held.empty() ? std::nullopt : std::optional(in_quotes(held));
   }
@@ -275,7 +311,7 @@ std::optional<std::string> toml_text(const Key& key, Case& values) {
 
 namespace zenosphere {
 
-const char* word(Precision precision) { return case_format::word_for(precision); }
+std::string word(Precision precision) { return precision.word(); }
 const char* word(OverlapRule rule) { return case_format::word_for(rule); }
 
 }  // namespace zenosphere

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <string>
+
 #include "io/case.hpp"
 
 namespace zenosphere {
 
 /// The words for values of a case, as case files have them.
-const char* word(Precision precision);
+std::string word(Precision precision);
 const char* word(OverlapRule rule);
 
 }  // namespace zenosphere

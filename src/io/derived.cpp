@@ -122,15 +122,15 @@ void add_run(const Case& values, Lines& lines) {
 /// What the criteria of collapse are asked to see: a warning where that is not the end of the
 /// digits.
 void add_collapse(const Case& values, Lines& lines) {
-  const double threshold = values.collapse.gap_threshold;
-  const double resolved = default_gap_threshold(values.collision.precision);
-  constexpr double most = 100;  // gaps are good to some ten times it in a box of twenty diameters
-  if (threshold > most * resolved) {
+  const double decades =
+      values.collapse.gap_threshold.log10() - GapThreshold(values.collision.precision).log10();
+  constexpr double most = 2;  // gaps are good to some ten times it in a box of twenty diameters
+  if (decades > most) {
     lines.add(
         "gap threshold",
         fmt::format("{:.3g} times that of the precision (warning: spheres that are close count "
                     "as hits, and only the clock tells an arrest)",
-                    threshold / resolved),
+                    std::pow(10.0, decades)),
         "");
   }
   const auto spheres = static_cast<double>(values.system.spheres);

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "model/digits_parts.hpp"
 #include "model/real.hpp"
 
 /// States as bytes, and back without a bit lost: what checkpoints are made of.
@@ -27,7 +26,7 @@
 ///     }
 ///
 /// Numbers are little-endian; a `long double` takes its 10 significant bytes, a `Quad` 16, a
-/// `Digits100` 50. Texts and vectors begin with their length in 8 bytes.
+/// `Digits` 6 and 4 for each 32 bits. Texts and vectors begin with their length in 8 bytes.
 namespace zenosphere {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -94,9 +93,10 @@ class ArchiveWriter {
   void write(const bool& value) { bytes_.push_back(value ? 1 : 0); }
   void write(const Extended& value) { raw(&value, archive_detail::extended_bytes); }
   void write(const Quad& value) { raw(&value, sizeof value); }
-  void write(const Digits100& value) {
+  void write(const Digits& value) {
     const auto parts = parts_of(value);
-    (*this)(static_cast<std::uint8_t>(parts.kind), parts.negative, parts.exponent, parts.words);
+    (*this)(static_cast<std::uint8_t>(parts.kind), parts.negative, parts.exponent);
+    raw(parts.words.data(), parts.words.size() * sizeof parts.words.front());
   }
   void write(const std::string& text) {
     write(std::uint64_t{text.size()});
@@ -157,10 +157,10 @@ class ArchiveReader {
 
   std::size_t left() const { return rest_.size(); }
 
-  /// From now on a number of more than double precision is read as it was written in a type of so
-  /// many binary digits, 53, 64 or 113, and becomes the same number in the type asked for.
-  void promote_from(int digits) { written_digits_ = digits; }
-  bool is_promoting() const { return written_digits_ != 0; }
+  /// From now on a number of more than double precision is read as it was written in a type with a
+  /// significand of so many bits, and becomes the same number in the type asked for.
+  void promote_from(int bits) { written_bits_ = bits; }
+  bool is_promoting() const { return written_bits_ != 0; }
 
   /// To be called behind the last value.
   void require_end() const { require_archived(rest_.empty(), "more bytes than its state takes"); }
@@ -189,27 +189,31 @@ class ArchiveReader {
     value = byte == 1;
   }
   void read(Extended& value) {
-    if (written_digits_ == kDouble) return promote<double>(value);
+    if (is_promoting()) return promote(value);
     value = 0;  // the bytes of padding too
     raw(&value, archive_detail::extended_bytes);
   }
   void read(Quad& value) {
-    if (written_digits_ == kDouble) return promote<double>(value);
-    if (written_digits_ == kExtended) return promote<Extended>(value);
+    if (is_promoting()) return promote(value);
     raw(&value, sizeof value);
   }
-  void read(Digits100& value) {
-    if (written_digits_ == kDouble) return promote<double>(value);
-    if (written_digits_ == kExtended) return promote<Extended>(value);
-    if (written_digits_ == kQuad) return promote<Quad>(value);
+  void read(Digits& value) {
+    if (is_promoting()) return promote(value);
+    value = digits(WorkingPrecision::bits());
+  }
+  Digits digits(int bits) {
     DigitsParts parts;
     const auto kind = next<std::uint8_t>();
-    (*this)(parts.negative, parts.exponent, parts.words);
+    (*this)(parts.negative, parts.exponent);
+    parts.words.resize(words_of_bits(bits));
+    raw(parts.words.data(), parts.words.size() * sizeof parts.words.front());
     require_archived(
         kind <= 2 && std::abs(std::int64_t{parts.exponent}) < archive_detail::digits_exponent_limit,
         "a number that there is not");
     parts.kind = NumberKind{kind};
-    value = composed(parts);
+    const auto number = composed(parts, bits);
+    require_archived(number.has_value(), "a number that there is not");
+    return *number;
   }
   void read(std::string& text) {
     text.resize(length(1));
@@ -242,19 +246,28 @@ class ArchiveReader {
   requires std::is_class_v<T>
   void read(T& value) { T::archive_state(value, *this); }
 
-  static constexpr int kDouble = 53;
-  static constexpr int kExtended = 64;
-  static constexpr int kQuad = 113;
-
-  template <class Written, class Real>
+  /// A number of the type in which it was written.
+  template <class Real>
   void promote(Real& value) {
-    const int digits = std::exchange(written_digits_, 0);
-    value = Real(next<Written>());
-    written_digits_ = digits;
+    const int bits = std::exchange(written_bits_, 0);
+    if (bits == Precision::double_precision.bits()) {
+      value = Real(next<double>());
+    } else if (bits == Precision::extended.bits()) {
+      value = Real(next<Extended>());
+    } else if constexpr (!std::is_same_v<Real, Extended>) {
+      if (bits == Precision::quad.bits()) {
+        value = Real(next<Quad>());
+      } else if constexpr (std::is_same_v<Real, Digits>) {
+        value = digits(bits).in_working_precision();
+      } else {
+        value = Real(digits(bits));
+      }
+    }
+    written_bits_ = bits;
   }
 
   std::span<const std::uint8_t> rest_;
-  int written_digits_ = 0;  ///< 0: those of the type asked for
+  int written_bits_ = 0;  ///< 0: those of the type asked for
 };
 
 }  // namespace zenosphere

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "model/archive.hpp"
 
@@ -38,9 +39,7 @@ struct Instant {
 template <class Real>
 constexpr double end_of_clock() {
   constexpr double slowest_in_double = 0x1p-500;
-  return std::numeric_limits<Real>::min_exponent < std::numeric_limits<double>::min_exponent
-             ? std::numeric_limits<double>::max()
-             : 1 / slowest_in_double;
+  return std::is_same_v<Real, double> ? 1 / slowest_in_double : std::numeric_limits<double>::max();
 }
 
 /// The least stride, a power of two, in which a counter of 53 bits gets to `units` exactly.

@@ -8,12 +8,12 @@
 #define ZENOSPHERE_FOR_EACH_ENGINE(instantiate)                                                   \
   instantiate(1, double) instantiate(2, double) instantiate(3, double) instantiate(1, Extended)   \
       instantiate(2, Extended) instantiate(3, Extended) instantiate(1, Quad) instantiate(2, Quad) \
-          instantiate(3, Quad) instantiate(1, Digits100) instantiate(2, Digits100)                \
-              instantiate(3, Digits100)
+          instantiate(3, Quad) instantiate(1, Digits) instantiate(2, Digits)                      \
+              instantiate(3, Digits)
 
 /// Calls `instantiate(Dim)` for each dimension.
 #define ZENOSPHERE_FOR_EACH_DIMENSION(instantiate) instantiate(1) instantiate(2) instantiate(3)
 
 /// Calls `instantiate(Real)` for each number type.
 #define ZENOSPHERE_FOR_EACH_REAL(instantiate) \
-  instantiate(double) instantiate(Extended) instantiate(Quad) instantiate(Digits100)
+  instantiate(double) instantiate(Extended) instantiate(Quad) instantiate(Digits)

@@ -1,23 +1,29 @@
 #pragma once
 
 #include <boost/multiprecision/float128.hpp>
-#include <boost/multiprecision/mpfr.hpp>
 #include <charconv>
 #include <cstdio>
 #include <limits>
 #include <string>
 #include <type_traits>
 
+#include "model/digits.hpp"
+
 namespace zenosphere {
 
-/// The number types of the engine beside `double`: the precision ladder.
+/// The number types of the engine beside `double` and Digits: the precision ladder.
 using Extended = long double;                  ///< 64-bit significand
 using Quad = boost::multiprecision::float128;  ///< 113-bit significand
 
-/// 100 decimal digits, 334-bit significand, by MPFR.
-using Digits100 = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<100, boost::multiprecision::allocate_stack>,
-    boost::multiprecision::et_off>;
+/// Bits of the significand of Real; of Digits those of the working precision.
+template <class Real>
+int significand_bits() {
+  if constexpr (std::is_same_v<Real, Digits>) {
+    return WorkingPrecision::bits();
+  } else {
+    return std::numeric_limits<Real>::digits;
+  }
+}
 
 /// The number that the shortest decimal text of `value` means, in the precision of Real.
 ///
@@ -39,16 +45,29 @@ Real from_decimal(double value) {
   }
 }
 
+/// The `double` next to a number, or 5e-324, the least there is, for one above 0 that is smaller:
+/// what is above 0 stays so in a file.
+template <class Real>
+double nearest_double(const Real& value) {
+  const auto nearest = static_cast<double>(value);
+  if constexpr (!std::is_same_v<Real, double>) {
+    if (nearest == 0 && value > 0) return std::numeric_limits<double>::denorm_min();
+  }
+  return nearest;
+}
+
 /// A number as decimal text with all the digits that Real tells apart.
 template <class Real>
 std::string to_decimal(const Real& value) {
-  constexpr int digits = std::numeric_limits<Real>::max_digits10;
-  if constexpr (std::is_floating_point_v<Real>) {
+  if constexpr (std::is_same_v<Real, Digits>) {
+    return value.str();
+  } else if constexpr (std::is_floating_point_v<Real>) {
     char text[64];
-    std::snprintf(text, sizeof text, "%.*Lg", digits, static_cast<Extended>(value));
+    std::snprintf(text, sizeof text, "%.*Lg", std::numeric_limits<Real>::max_digits10,
+                  static_cast<Extended>(value));
     return text;
   } else {
-    return value.str(digits);
+    return value.str(std::numeric_limits<Real>::max_digits10);
   }
 }
 

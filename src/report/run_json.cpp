@@ -66,7 +66,7 @@ Json json_of(const Case& values) {
           {"drive", drives[static_cast<int>(values.drive.kind)]},
           {"shear_rate", values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0.0},
           {"walls", walls ? Json(axes[static_cast<int>(*walls)]) : Json()},
-          {"gap_threshold", values.collapse.gap_threshold},
+          {"gap_threshold", values.collapse.gap_threshold.nearest_double()},
           {"window", values.collapse.window},
           {"seed", values.start.seed}};
 }

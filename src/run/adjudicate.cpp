@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -22,8 +23,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::array ladder{Precision::double_precision, Precision::extended, Precision::quad,
-                            Precision::digits100};
 constexpr std::array rules{OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded,
                            OverlapRule::stop};
 
@@ -36,15 +35,14 @@ constexpr double share_of_others = 0.1;
 struct Before {
   HitGroup group;
   std::int64_t collisions = 0;
-  int digits = 0;  ///< bits of the numbers in `state`
+  int bits = 0;  ///< of the numbers in `state`
   Bytes state{};
 };
 
 /// The case of a trial: another precision, with its threshold, and another rule.
 Case case_of_trial(Case values, Precision precision, OverlapRule rule) {
-  const bool is_scaled =
-      values.collapse.gap_threshold == default_gap_threshold(values.collision.precision);
-  if (is_scaled) values.collapse.gap_threshold = default_gap_threshold(precision);
+  const bool is_scaled = values.collapse.gap_threshold == GapThreshold(values.collision.precision);
+  if (is_scaled) values.collapse.gap_threshold = GapThreshold(precision);
   values.collision.precision = precision;
   values.collision.overlap = rule;
   return values;
@@ -54,7 +52,10 @@ Case case_of_trial(Case values, Precision precision, OverlapRule rule) {
 class Adjudicator {
  public:
   Adjudicator(const Case& values, const AdjudicationLimits& limits)
-      : values_(values), limits_(limits), highest_(limits.highest.value_or(ladder.back())) {
+      : values_(values),
+        limits_(limits),
+        highest_(
+            limits.highest.value_or(std::max(values.collision.precision, Precision::digits(100)))) {
     const auto seconds = std::chrono::duration<double>(std::min(limits.seconds, 1e9));
     deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(seconds);
     result_.precision = values.collision.precision;
@@ -78,8 +79,7 @@ class Adjudicator {
         return;
       }
       run.go({.collisions = std::max(beginning_of(groups, n), run.collisions())});
-      const Before before{groups[n], run.collisions(), std::numeric_limits<Real>::digits,
-                          run.state()};
+      const Before before{groups[n], run.collisions(), significand_bits<Real>(), run.state()};
       announce_ = fmt::format("hits from collision {} on ({} of {})", groups[n].first_hit, n + 1,
                               groups.size());
       follow(before);
@@ -131,19 +131,42 @@ class Adjudicator {
     if (last != groups.rend()) last->arrest = arrest.collision();
   }
 
-  /// Follows a group up the ladder, and judges what the highest precision has seen.
+  /// Follows a group up the ladder, and judges what the highest precision has seen. Where that has
+  /// used up its digits without a decision, and the user has not named it, twice as many are tried.
   void follow(const Before& before) {
     std::vector<FollowedGroup> trials;
-    for (const Precision precision : ladder) {
-      if (precision < result_.precision || precision > highest_ || is_over()) continue;
-      trials.push_back(followed(before, precision, result_.rule));
-      if (trials.back().trial.ended_by == "interrupted") result_.was_interrupted = true;
+    std::vector<JudgedApproach> judged;
+    for (Precision top = highest_; !is_over(); top = Precision::digits(2 * digits_of(top))) {
+      for (const Precision precision : ladder_to(top)) {
+        const bool is_new = trials.empty() || trials.back().trial.precision < precision;
+        if (is_new && !is_over()) trials.push_back(followed(before, precision, result_.rule));
+        result_.was_interrupted |= trials.back().trial.ended_by == "interrupted";
+      }
+      judged = judge_group(before.group, trials);
+      const bool may_go_on = !limits_.highest && 2 * digits_of(top) <= most_digits;
+      if (!may_go_on || !wants_more_digits(judged, trials.back())) break;
     }
-    if (trials.empty()) return;
-    const auto judged = judge_group(before.group, trials);
     result_.approaches.insert(result_.approaches.end(), judged.begin(), judged.end());
     if (!result_.trials.empty()) return;
     for (const FollowedGroup& trial : trials) result_.trials.push_back(trial.trial);
+  }
+
+  static int digits_of(Precision precision) {
+    return static_cast<int>(precision.bits() * std::numbers::log10e_v<double> * std::numbers::ln2);
+  }
+
+  /// The precisions from the run's own up to the highest, ascending.
+  std::vector<Precision> ladder_to(Precision highest) const {
+    std::vector<Precision> ladder{Precision::double_precision, Precision::extended, Precision::quad,
+                                  Precision::digits(100), highest_};
+    for (Precision more = highest_; more < highest; ladder.push_back(more)) {
+      more = Precision::digits(2 * digits_of(more));
+    }
+    ladder.push_back(result_.precision);
+    std::erase_if(ladder, [&](Precision one) { return one < result_.precision || highest < one; });
+    std::sort(ladder.begin(), ladder.end());
+    ladder.erase(std::unique(ladder.begin(), ladder.end()), ladder.end());
+    return ladder;
   }
 
   /// What the other rules make of the first group in the run's own precision.
@@ -167,10 +190,10 @@ class Adjudicator {
   FollowedGroup followed_in(const Before& before, const Case& values) {
     const auto start = Clock::now();
     ArchiveReader state(before.state);
-    if (before.digits < std::numeric_limits<Real>::digits) state.promote_from(before.digits);
+    if (before.bits < significand_bits<Real>()) state.promote_from(before.bits);
     TrialRun<Dim, Real> trial(values, state);
     trial.keep_collisions();
-    const bool is_highest = values.collision.precision == highest_;
+    const bool is_highest = !(values.collision.precision < highest_);
     TrialEnd end{.followed = before.group,
                  .deadline = share_of_time(is_highest ? share_of_highest : share_of_others),
                  .interrupt = limits_.interrupt};

@@ -6,7 +6,8 @@
 namespace zenosphere {
 
 /// Calls `action.operator()<Dim, Real>()` for the dimension and the precision of a case: the only
-/// place where they are chosen at run time.
+/// place where they are chosen at run time. What makes numbers later, on this thread or another,
+/// makes them under a WorkingPrecision of its own.
 template <class Action>
 auto in_arithmetic_of(const Case& values, Action action) {
   const auto with = [&]<class Real>(Real) {
@@ -14,16 +15,13 @@ auto in_arithmetic_of(const Case& values, Action action) {
     if (values.system.dimension == 2) return action.template operator()<2, Real>();
     return action.template operator()<3, Real>();
   };
-  switch (values.collision.precision) {
-    case Precision::extended:
-      return with(Extended());
-    case Precision::quad:
-      return with(Quad());
-    case Precision::digits100:
-      return with(Digits100());
-    case Precision::double_precision:
-      break;
+  const Precision precision = values.collision.precision;
+  if (precision.is_digits()) {
+    const WorkingPrecision here(precision.bits());
+    return with(Digits());
   }
+  if (precision == Precision::quad) return with(Quad());
+  if (precision == Precision::extended) return with(Extended());
   return with(double());
 }
 

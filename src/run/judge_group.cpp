@@ -76,7 +76,7 @@ std::string law_of(const JudgedApproach& judged) {
 std::string sentence_of(const JudgedApproach& judged, const ClusterApproach& approach) {
   const std::string who =
       fmt::format("{} spheres ({})", judged.spheres.size(), names_of(judged.spheres));
-  const char* precision = word(judged.precision);
+  const std::string precision = word(judged.precision);
   switch (judged.finding) {
     case Finding::singular:
       return fmt::format(

@@ -6,6 +6,7 @@
 
 #include "io/records.hpp"
 #include "model/collision.hpp"
+#include "model/real.hpp"
 
 namespace zenosphere {
 
@@ -27,7 +28,7 @@ class LogRows {
     row.i = collision.i;
     row.j = collision.j;
     row.gap = std::numeric_limits<double>::quiet_NaN();
-    row.normal_speed = static_cast<double>(collision.impact.normal_speed);
+    row.normal_speed = nearest_double(collision.impact.normal_speed);
     row.flags = static_cast<std::uint8_t>(
         flag(collision.overlapping, collision_flag::overlap) |
         flag(collision.absorbed, collision_flag::absorbed) |
@@ -38,7 +39,7 @@ class LogRows {
 
   /// Adds to a row the gap, then, of the pair that collides next.
   void complete(CollisionRow& row, const Real& gap) const {
-    row.gap = static_cast<double>(gap);
+    row.gap = nearest_double(gap);
     if (gap <= gap_threshold_) row.flags |= collision_flag::hit;
   }
 

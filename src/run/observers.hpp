@@ -23,11 +23,12 @@ class Observers {
   /// \param simulation  at its start; the same object is handed to every later call
   Observers(const Case& values, const Simulation<Dim, Real>& simulation)
       : constant_restitution_(values.system.restitution),
-        separation_(values.collapse.gap_threshold, simulation.box().clock_unit()),
-        arrest_(values.collapse.gap_threshold, values.collapse.window,
+        separation_(values.collapse.gap_threshold.template in<Real>(),
+                    simulation.box().clock_unit()),
+        arrest_(values.collapse.gap_threshold.template in<Real>(), values.collapse.window,
                 simulation.box().clock_unit()),
         collapse_time_(simulation.box().clock_unit()),
-        dissector_(values.collapse.gap_threshold, simulation.spheres(),
+        dissector_(values.collapse.gap_threshold.template in<Real>(), simulation.spheres(),
                    simulation.box().clock_unit(), constant_restitution(values)),
         measurements_(simulation, values.measure.after_time),
         self_check_(simulation) {}

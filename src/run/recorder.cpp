@@ -9,7 +9,7 @@ template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file)
     : output_(values.output),
-      log_(values.collapse.gap_threshold, simulation.box().clock_unit()),
+      log_(values.collapse.gap_threshold.template in<Real>(), simulation.box().clock_unit()),
       file_(file) {
   take_snapshot(simulation);
 }
@@ -18,7 +18,7 @@ template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file, ArchiveReader& archive)
     : output_(values.output),
-      log_(values.collapse.gap_threshold, simulation.box().clock_unit()),
+      log_(values.collapse.gap_threshold.template in<Real>(), simulation.box().clock_unit()),
       file_(file) {
   archive_members(*this, archive);
   schedule_snapshot();

@@ -97,8 +97,8 @@ void promote(const Case& before, const std::string& file, Case& values) {
         "the case again",
         file, word(before.collision.precision), word(precision)));
   }
-  if (values.collapse.gap_threshold == default_gap_threshold(before.collision.precision)) {
-    values.collapse.gap_threshold = default_gap_threshold(precision);
+  if (values.collapse.gap_threshold == GapThreshold(before.collision.precision)) {
+    values.collapse.gap_threshold = GapThreshold(precision);
   }
 }
 

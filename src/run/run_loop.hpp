@@ -54,7 +54,7 @@ class Run final : public SteppedRun {
         simulation_(std::move(simulation)),
         driving_(values),
         observers_(values, simulation_),
-        rows_({values.collapse.gap_threshold, simulation_.box().clock_unit()}),
+        rows_({values.collapse.gap_threshold.template in<Real>(), simulation_.box().clock_unit()}),
         cadence_(values.output, simulation_.collisions()) {}
 
   void advance(const Piece& piece, std::vector<CollisionRow>* rows) override {

@@ -18,7 +18,7 @@ inline constexpr std::uint32_t checkpoint_version = 4;
 /// Begins the state of a checkpoint.
 template <int Dim, class Real>
 void write_state_head(ArchiveWriter& archive) {
-  archive(checkpoint_version, std::int32_t{Dim}, std::int32_t{std::numeric_limits<Real>::digits});
+  archive(checkpoint_version, std::int32_t{Dim}, std::int32_t{significand_bits<Real>()});
 }
 
 /// Reads the beginning of a state. A state in fewer digits than Real has is promoted.
@@ -36,10 +36,11 @@ void require_known_state(const Case& values, const RecoveredOutput& output, Arch
         output.info.git_hash));
   }
   const auto dimension = state.next<std::int32_t>();
-  const auto digits = state.next<std::int32_t>();
-  require_archived(dimension == Dim && digits <= std::numeric_limits<Real>::digits,
-                   "the state of another kind of run");
-  if (digits < std::numeric_limits<Real>::digits) state.promote_from(digits);
+  const auto bits = state.next<std::int32_t>();
+  require_archived(
+      dimension == Dim && bits <= significand_bits<Real>() && is_precision_of_bits(bits),
+      "the state of another kind of run");
+  if (bits < significand_bits<Real>()) state.promote_from(bits);
   // A sphere takes more than 32 bytes: one that the case only claims gets no memory.
   require_archived(state.left() / 32 >= static_cast<std::size_t>(values.system.spheres),
                    "the state of another number of spheres");

@@ -32,11 +32,12 @@ TrialRun<Dim, Real>::TrialRun(const Case& values, ArchiveReader& archive)
 template <int Dim, class Real>
 TrialRun<Dim, Real>::TrialRun(const Case& values, Simulation<Dim, Real> simulation)
     : values_(values),
-      limit_(-std::log10(default_gap_threshold(values.collision.precision))),
+      limit_(-GapThreshold(values.collision.precision).log10()),
       simulation_(std::move(simulation)),
       driving_(values),
-      separation_(values.collapse.gap_threshold, simulation_.box().clock_unit()),
-      arrest_(values.collapse.gap_threshold, values.collapse.window,
+      separation_(values.collapse.gap_threshold.template in<Real>(),
+                  simulation_.box().clock_unit()),
+      arrest_(values.collapse.gap_threshold.template in<Real>(), values.collapse.window,
               simulation_.box().clock_unit()),
       measurements_(simulation_, std::numeric_limits<double>::infinity()) {}
 

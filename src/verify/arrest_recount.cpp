@@ -9,16 +9,24 @@ namespace zenosphere::verify {
 namespace {
 
 /// The criterion of a file; the first version did not ask how often each pair had met.
-ArrestCriterion<1, double> criterion(const Case& values, std::int64_t criteria_version) {
+ArrestCriterion<1, double> criterion(const Case& values, double threshold,
+                                     std::int64_t criteria_version) {
   const auto repetitions = ArrestCriterion<1, double>::enough_repetitions;
-  return {values.collapse.gap_threshold, values.collapse.window, 1.0,
-          criteria_version < 2 ? 0 : repetitions};
+  return {threshold, values.collapse.window, 1.0, criteria_version < 2 ? 0 : repetitions};
+}
+
+/// The threshold of a recount that takes no gap for a hit which may have been none: below the range
+/// of double the log does not tell how small a gap was.
+double strict_threshold(const GapThreshold& threshold) {
+  return threshold.fits_double() ? threshold.nearest_double() : 0.0;
 }
 
 }  // namespace
 
 ArrestRecount::ArrestRecount(const Case& values, std::int64_t criteria_version)
-    : strict_(criterion(values, criteria_version)), lenient_(strict_) {}
+    : strict_(criterion(values, strict_threshold(values.collapse.gap_threshold), criteria_version)),
+      lenient_(
+          criterion(values, values.collapse.gap_threshold.nearest_double(), criteria_version)) {}
 
 void ArrestRecount::observe(const CollisionRow& row, double gap_before) {
   Collision<1, double> collision;

@@ -82,7 +82,7 @@ void LogCheck::check_order(const CollisionRow& row, Findings& findings) const {
 }
 
 void LogCheck::check_flags(const CollisionRow& row, Findings& findings) const {
-  const double threshold = values_.collapse.gap_threshold;
+  const double threshold = values_.collapse.gap_threshold.nearest_double();
   const bool is_hit = row.gap <= threshold;
   // A finer number may have been above it.
   const bool is_open = row.gap >= threshold && row.gap <= loosest_threshold_;

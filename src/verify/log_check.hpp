@@ -18,7 +18,7 @@ class LogCheck {
  public:
   /// \param last_time  that of the file: nothing happens later
   LogCheck(const Case& values, std::int64_t spheres, double last_time)
-      : LogCheck(values, spheres, last_time, values.collapse.gap_threshold) {}
+      : LogCheck(values, spheres, last_time, values.collapse.gap_threshold.nearest_double()) {}
 
   /// \param loosest_threshold  >= that of the case; gaps between the two may be hits or not
   LogCheck(const Case& values, std::int64_t spheres, double last_time, double loosest_threshold)

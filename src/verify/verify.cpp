@@ -44,14 +44,15 @@ template <int Dim>
 class Verifier {
  public:
   /// \param loosest_threshold  of the separation criterion, in the coarsest precision of the run
-  Verifier(const RunFile& file, const Case& values, double loosest_threshold)
+  Verifier(const RunFile& file, const Case& values, const GapThreshold& loosest_threshold)
       : file_(file),
         values_(values),
         replay_(values, file.info().spheres, file.info().criteria_version),
-        log_(values, file.info().spheres, file.info().last_time, loosest_threshold),
+        log_(values, file.info().spheres, file.info().last_time,
+             loosest_threshold.nearest_double()),
         snapshots_(values, file.info().last_time),
         arrest_(values, file.info().criteria_version),
-        was_raised_(loosest_threshold > values.collapse.gap_threshold) {}
+        was_raised_(values.collapse.gap_threshold < loosest_threshold) {}
 
   Verification go() {
     read_snapshot();
@@ -188,10 +189,10 @@ Precision first_precision(const OutputInfo& info, const Case& values) {
 
 template <int Dim>
 Verification verification_of(const RunFile& file, Case values) {
-  double loosest_threshold = values.collapse.gap_threshold;
+  GapThreshold loosest_threshold = values.collapse.gap_threshold;
   const Precision first = first_precision(file.info(), values);
-  if (loosest_threshold == default_gap_threshold(values.collision.precision)) {
-    loosest_threshold = default_gap_threshold(first);
+  if (loosest_threshold == GapThreshold(values.collision.precision)) {
+    loosest_threshold = GapThreshold(first);
   }
   values.collision.precision = first;  // its rounding is in the state to the end
   return Verifier<Dim>(file, values, loosest_threshold).go();

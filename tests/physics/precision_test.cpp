@@ -34,35 +34,52 @@ std::vector<Collision<1, Real>> collisions(Simulation<1, Real>& simulation, int 
 
 TEST(Precision, DecimalNumbersAreReadInTheRunsOwnPrecision) {
   EXPECT_EQ(from_decimal<double>(0.05), 0.05);
-  EXPECT_NE(Digits100(0.05), Digits100(1) / 20);
-  EXPECT_EQ(from_decimal<Digits100>(0.05), Digits100(1) / 20);
+  EXPECT_NE(Digits(0.05), Digits(1) / 20);
+  EXPECT_EQ(from_decimal<Digits>(0.05), Digits(1) / 20);
   EXPECT_EQ(from_decimal<Quad>(0.05), Quad(1) / 20);
   EXPECT_EQ(from_decimal<Extended>(0.05), 0.05L);
-  EXPECT_EQ(from_decimal<Digits100>(1e-3), Digits100(1) / 1000);
+  EXPECT_EQ(from_decimal<Digits>(1e-3), Digits(1) / 1000);
 }
 
 TEST(Precision, ThreeRodsKeepTheirExactFactorsToNinetyDigitsInDigits100) {
-  auto rods = three_rods<Digits100>();
+  auto rods = three_rods<Digits>();
   const auto all = collisions(rods, 10);
   // A flight near the collapse loses the digits that the time itself has in front: after 10
   // collisions flights are 2e-6 of the time.
-  const Digits100 tolerance("1e-90");
+  const Digits tolerance("1e-90");
   for (std::size_t k = 2; k < all.size(); ++k) {
-    EXPECT_LT(abs(all[k].flight / all[k - 1].flight - Digits100(5) / 16), tolerance) << k;
-    EXPECT_LT(abs(all[k].impact.normal_speed / all[k - 1].impact.normal_speed - Digits100(2) / 5),
+    EXPECT_LT(abs(all[k].flight / all[k - 1].flight - Digits(5) / 16), tolerance) << k;
+    EXPECT_LT(abs(all[k].impact.normal_speed / all[k - 1].impact.normal_speed - Digits(2) / 5),
               tolerance)
         << k;
   }
 }
 
 TEST(Precision, ThreeRodsCollapseAtTheirExactTimeInDigits100) {
-  auto rods = three_rods<Digits100>();
+  auto rods = three_rods<Digits>();
   const auto all = collisions(rods, 40);
   const auto& last = all.back();
   // The rest of the series: flight x ratio / (1 - ratio) with the ratio 5/16.
-  const Digits100 end = last.time.units + last.time.remainder + last.flight * 5 / 11;
-  EXPECT_LT(abs(end - Digits100(40) / 11), Digits100("1e-60"));
+  const Digits end = last.time.units + last.time.remainder + last.flight * 5 / 11;
+  EXPECT_LT(abs(end - Digits(40) / 11), Digits("1e-60"));
 }
+
+class InDigits : public ::testing::TestWithParam<int> {};
+
+// Up to three quarters of the digits in collisions a gap, 8^-n, is far above rounding, and so the
+// flights keep their ratio: time and the rest of its series are right to the last places of 40/11.
+TEST_P(InDigits, ThreeRodsCollapseAtTheirExactTime) {
+  const int decimal = GetParam();
+  const WorkingPrecision here(bits_of_digits(decimal));
+  auto rods = three_rods<Digits>();
+  const auto all = collisions(rods, 3 * decimal / 4);
+  const auto& last = all.back();
+  const Digits end = last.time.units + last.time.remainder + last.flight * 5 / 11;
+  const Digits tolerance("1e-" + std::to_string(decimal - 3));
+  EXPECT_LT(abs(end - Digits(40) / 11), tolerance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Precision, InDigits, ::testing::Values(20, 50, 100, 116, 1000));
 
 TEST(Precision, MoreDigitsFollowTheThreeRodsFurtherDown) {
   // The separation criterion is met where gaps reach the rounding of the type: each collision takes
@@ -76,6 +93,7 @@ TEST(Precision, MoreDigitsFollowTheThreeRodsFurtherDown) {
   EXPECT_NEAR(first_hit("double"), 19, 2);
   EXPECT_NEAR(first_hit("quad"), 39, 2);
   EXPECT_NEAR(first_hit("digits100"), 113, 2);
+  EXPECT_NEAR(first_hit("digits50"), 58, 2);  // 8^-57 = 3.3e-52, the threshold 9.6e-52
 }
 
 template <class Real>

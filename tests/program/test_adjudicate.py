@@ -67,6 +67,15 @@ def test_three_rods_are_singular_at_forty_elevenths(program):
     assert 14 <= lost["double"] <= 18 and 30 <= lost["quad"] <= 36
 
 
+def test_ladder_goes_up_to_any_number_of_digits(program):
+    result = adjudicated(program, RODS, "--up-to", "digits300")
+    # 300 digits: 998 bits; the first hit after 301 / log10(8) = 333 collisions
+    assert trial(result, "digits300")["first_hit"] == pytest.approx(334, abs=2)
+    assert trial(result, "digits300")["collapse_time"].startswith("3." + "63" * 70)
+    done = program("adjudicate", RODS, "--up-to", "digits10001", code=2)
+    assert "digits10001" in done.stderr and "20 to 10000" in done.stderr
+
+
 def test_elastic_triple_is_a_chance_close_pair(program):
     result = adjudicated(program, TRIPLE)
     assert result["finding"] == "chance close pair"
@@ -155,7 +164,8 @@ def test_digits_are_never_taken_away(program):
     assert "fewer digits" in done.stderr
 
 
-@pytest.mark.parametrize("precision", ["extended", "quad", "digits100"])
+@pytest.mark.parametrize("precision", ["extended", "digits25", "quad", "digits100",
+                                       "digits250"])
 def test_promoted_checkpoint_goes_on_as_the_same_state(program, precision):
     """Stopped before the hit and resumed in more digits, the rods keep their factor 0.3125."""
     program("run", RODS, "-o", "rods.h5", "--quiet", "--set", "run.collisions=8")

@@ -36,6 +36,9 @@ SYSTEMS = {
     "quad": {"collision.precision": "quad", "run.collisions": 700},
     "digits100": {"collision.precision": "digits100", "run.collisions": 200,
                   "system.spheres": 32, **COOLING},
+    "digits20": {"collision.precision": "digits20", "run.collisions": 200, "system.spheres": 32},
+    "digits250": {"collision.precision": "digits250", "run.collisions": 200,
+                  "system.spheres": 32},
 }
 
 

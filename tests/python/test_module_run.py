@@ -30,6 +30,8 @@ SYSTEMS = {
     "stop": {**COLLAPSING, "collision.overlap": "stop"},
     "extended": {"collision.precision": "extended", "run.collisions": 400},
     "quad": {"collision.precision": "quad", "run.collisions": 200},
+    "digits150": {"collision.precision": "digits150", "run.collisions": 100,
+                  "system.spheres": 32},
 }
 
 

@@ -87,8 +87,8 @@ TEST(Decay, MeasuresABounceByItsFlights) {
 }
 
 TEST(Decay, FollowsASeriesToAHundredDigits) {
-  const auto steps = geometric<Digits100>(100, 2, Digits100(1) / 8, Digits100(2) / 5);
-  const Decay decay = decay_of<Digits100>(steps, 1);
+  const auto steps = geometric<Digits>(100, 2, Digits(1) / 8, Digits(2) / 5);
+  const Decay decay = decay_of<Digits>(steps, 1);
   EXPECT_NEAR(decay.gap->ratio, 0.125, 1e-14);
   EXPECT_DOUBLE_EQ(decay.collapse_time_after.value(), 16.0 / 11);
   EXPECT_LT(decay.collapse_time_error, 1e-60);

@@ -78,7 +78,7 @@ class ArchivedState : public ::testing::Test {
   }
 };
 using Systems = ::testing::Types<System<1, double>, System<2, double>, System<3, double>,
-                                 System<2, Extended>, System<3, Quad>, System<2, Digits100>>;
+                                 System<2, Extended>, System<3, Quad>, System<2, Digits>>;
 TYPED_TEST_SUITE(ArchivedState, Systems);
 
 TYPED_TEST(ArchivedState, CoolingGasGoesOnBitForBit) {

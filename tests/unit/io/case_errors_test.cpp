@@ -160,12 +160,6 @@ TEST(CaseErrors, RangesIncludeTheirEndsWhereTheySaySo) {
             "start.seed = 1e+19 (must fit in 64 bits: at most 9223372036854775807)");
 }
 
-TEST(CaseErrors, UnknownPrecisionIsAnsweredWithTheKnownOnes) {
-  EXPECT_EQ(objection(cooling_case, "collision.precision=half"),
-            "collision.precision = \"half\" (must be \"double\", \"extended\", \"quad\" or "
-            "\"digits100\")");
-}
-
 TEST(CaseErrors, FccNamesTheNearestFullLattices) {
   // 4 n^3: n = 2: 32, 3: 108, 10: 4000, 11: 5324, 161: 16693124; n = 162 has more than 2^24.
   const auto sphere_objection = [](const std::string& spheres) {

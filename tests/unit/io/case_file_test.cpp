@@ -128,8 +128,19 @@ TEST(CaseFile, ThresholdFollowsThePrecisionUnlessItIsGiven) {
   };
   EXPECT_EQ(threshold({}), 1e-16);
   EXPECT_EQ(threshold({"collision.precision=extended"}), 1e-16 / 2048);  // 11 bits more
-  EXPECT_NEAR(threshold({"collision.precision=quad"}), 8.7e-35, 1e-36);  // 1e-16 / 2^60
+  EXPECT_EQ(threshold({"collision.precision=quad"}), 1e-16 * 0x1p-60);
+  EXPECT_EQ(threshold({"collision.precision=digits100"}), 1e-16 * 0x1p-281);
   EXPECT_EQ(threshold({"collision.precision=quad", "collapse.gap_threshold=1e-16"}), 1e-16);
+}
+
+TEST(CaseFile, ThresholdBelowTheRangeOfDoubleStandsInQuotesAndComesBack) {
+  const Case values = overridden(cooling_case, {"collision.precision=digits1000"});
+  const std::string resolved = resolved_toml(values);
+  EXPECT_NE(resolved.find("\ngap_threshold = \"2.1423192150451"), std::string::npos);
+  EXPECT_EQ(parse_case(resolved, "again", {}).collapse.gap_threshold,
+            values.collapse.gap_threshold);
+  const Case given = overridden(cooling_case, {"collapse.gap_threshold=\"1e-1000\""});
+  EXPECT_NEAR(given.collapse.gap_threshold.log10(), -1000, 1e-10);
 }
 
 TEST(CaseFile, TextIsKeptByteForByte) {

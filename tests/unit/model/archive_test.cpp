@@ -28,7 +28,7 @@ T restored(const Bytes& bytes) {
 
 template <class Real>
 class ArchivedNumber : public ::testing::Test {};
-using Reals = ::testing::Types<double, Extended, Quad, Digits100>;
+using Reals = ::testing::Types<double, Extended, Quad, Digits>;
 TYPED_TEST_SUITE(ArchivedNumber, Reals);
 
 TYPED_TEST(ArchivedNumber, ComesBackInEveryBit) {
@@ -55,7 +55,7 @@ TYPED_TEST(ArchivedNumber, KeepsTheSignOfZeroAndWhatIsNoNumber) {
 }
 
 TEST(Archive, HasOneFormOfANumberAlsoJustBelowAPowerOfTwo) {
-  const Digits100 below_one = 1 - std::numeric_limits<Digits100>::epsilon() / 2;
+  const Digits below_one = 1 - std::numeric_limits<Digits>::epsilon() / 2;
   const Bytes bytes = archived(below_one);
   EXPECT_EQ(Bytes(bytes.begin() + 2, bytes.begin() + 6),
             archived(std::int32_t{0}));  // the exponent
@@ -65,7 +65,53 @@ TEST(Archive, NumbersTakeTheBytesOfTheirSignificantDigits) {
   EXPECT_EQ(archived(1.5).size(), 8u);
   EXPECT_EQ(archived(Extended(1.5)).size(), 10u);
   EXPECT_EQ(archived(Quad(1.5)).size(), 16u);
-  EXPECT_EQ(archived(Digits100(1.5)).size(), 50u);  // kind, sign, exponent and 11 words
+  EXPECT_EQ(archived(Digits(1.5)).size(), 50u);  // kind, sign, exponent and 11 words
+}
+
+TEST(Archive, DigitsTakeFourBytesForEach32Bits) {
+  const WorkingPrecision here(bits_of_digits(1000));  // 3324 bits: 104 words
+  EXPECT_EQ(archived(Digits(1.5)).size(), 6u + 4 * 104);
+}
+
+TEST(Archive, DigitsOfAnyLengthComeBackInEveryBit) {
+  for (const int decimal : {20, 50, 99, 115, 116, 1000, 10000}) {
+    const WorkingPrecision here(bits_of_digits(decimal));
+    for (const Digits& value : {Digits(Digits(1) / 3), Digits(-Digits(1) / 7), Digits(0),
+                                ldexp(Digits(1) / 3, -100000)}) {
+      EXPECT_EQ(restored<Digits>(archived(value)), value) << decimal;
+    }
+  }
+}
+
+template <class Real>
+Real promoted(const Bytes& bytes, int bits) {
+  ArchiveReader archive(bytes);
+  archive.promote_from(bits);
+  return archive.next<Real>();
+}
+
+TEST(Archive, NumberThatIsPromotedStaysTheSame) {
+  const Bytes in_double = archived(1.0 / 3);
+  const Bytes in_extended = archived(Extended(1) / 3);
+  const Bytes in_quad = archived(Quad(Quad(1) / 3));
+  const Bytes in_hundred = archived(Digits(Digits(1) / 3));
+  const Digits hundred = Digits(1) / 3;
+  const WorkingPrecision here(bits_of_digits(250));
+  EXPECT_EQ(promoted<Digits>(in_double, 53), 1.0 / 3);
+  EXPECT_EQ(promoted<Digits>(in_extended, 64), Digits(Extended(1) / 3));
+  EXPECT_EQ(promoted<Digits>(in_quad, 113), Digits(Quad(Quad(1) / 3)));
+  EXPECT_EQ(promoted<Digits>(in_hundred, 334), hundred);
+  // All that is made of it has the digits of the run.
+  EXPECT_EQ(promoted<Digits>(in_hundred, 334).bits(), bits_of_digits(250));
+}
+
+TEST(Archive, DigitsBecomeAQuadWhereThatIsLonger) {
+  const int bits = bits_of_digits(30);  // 101
+  const WorkingPrecision here(bits);
+  const Digits third = Digits(1) / 3;
+  const Bytes bytes = archived(third);
+  EXPECT_EQ(Digits(promoted<Quad>(bytes, bits)), third);
+  EXPECT_LT(abs(promoted<Quad>(bytes, bits) - Quad(1) / 3), Quad(1e-30));
 }
 
 TEST(Archive, StructuresComeBack) {
@@ -114,7 +160,7 @@ TEST(Archive, LengthBeyondTheEndIsAnErrorAndNotAnAllocation) {
     bytes.push_back(0);
     EXPECT_THROW(restored<std::string>(bytes), ArchiveError);
     EXPECT_THROW(restored<std::vector<double>>(bytes), ArchiveError);
-    EXPECT_THROW(restored<std::vector<Digits100>>(bytes), ArchiveError);
+    EXPECT_THROW(restored<std::vector<Digits>>(bytes), ArchiveError);
   }
 }
 
@@ -141,9 +187,16 @@ TEST(Archive, NonsenseIsAnError) {
   EXPECT_THROW(restored<std::optional<bool>>({7, 1}), ArchiveError);
   EXPECT_THROW(restored<Instant<double>>(archived(Instant<double>{-1, 0})), ArchiveError);
   EXPECT_THROW(restored<Instant<double>>(archived(Instant<double>{0, HUGE_VAL})), ArchiveError);
-  Bytes digits = archived(Digits100(1));
+  Bytes digits = archived(Digits(1));
   digits[0] = 3;
-  EXPECT_THROW(restored<Digits100>(digits), ArchiveError);
+  EXPECT_THROW(restored<Digits>(digits), ArchiveError);
+  Bytes unbegun = archived(Digits(1));
+  unbegun[9] = 0;  // the first word no longer begins with a 1
+  unbegun[10] = 1;
+  EXPECT_THROW(restored<Digits>(unbegun), ArchiveError);
+  Bytes longer = archived(Digits(1));
+  longer[46] = 1;  // the 352nd bit of 334
+  EXPECT_THROW(restored<Digits>(longer), ArchiveError);
   Random random(1);
   const Bytes text = archived(std::string("one two three"));
   ArchiveReader reader(text);

@@ -77,7 +77,7 @@ TEST(ViscoelasticRestitution, IsTheSameNumberInEveryPrecision) {
   const double e = ViscoelasticRestitution<double>(0.25)(0.5);
   EXPECT_NEAR(static_cast<double>(ViscoelasticRestitution<Extended>(0.25)(0.5)), e, 1e-15);
   EXPECT_NEAR(static_cast<double>(ViscoelasticRestitution<Quad>(0.25)(0.5)), e, 1e-15);
-  EXPECT_NEAR(static_cast<double>(ViscoelasticRestitution<Digits100>(0.25)(0.5)), e, 1e-15);
+  EXPECT_NEAR(static_cast<double>(ViscoelasticRestitution<Digits>(0.25)(0.5)), e, 1e-15);
 }
 
 TEST(ContactModels, AreOffUnlessOneIsChosen) {

@@ -28,7 +28,7 @@ TEST(FifthRoot, IsGoodToTwoUlpsInEveryPrecisionAndRange) {
   expect_fifth_roots<double>();
   expect_fifth_roots<Extended>();
   expect_fifth_roots<Quad>();
-  expect_fifth_roots<Digits100>();
+  expect_fifth_roots<Digits>();
 }
 
 TEST(SineAndCosine, AreThoseOfTheCLibrary) {
@@ -41,11 +41,11 @@ TEST(SineAndCosine, AreThoseOfTheCLibrary) {
 }
 
 TEST(SineAndCosine, KeepTheLengthInEveryPrecision) {
-  const auto [sine, cosine] = sine_and_cosine(Digits100(1));
-  const Digits100 error = sine * sine + cosine * cosine - 1;
-  EXPECT_LT(abs(error), Digits100("1e-99"));
+  const auto [sine, cosine] = sine_and_cosine(Digits(1));
+  const Digits error = sine * sine + cosine * cosine - 1;
+  EXPECT_LT(abs(error), Digits("1e-99"));
   // sin(1) = 0.84147098480789650665250232163029899962...
-  EXPECT_LT(abs(sine - Digits100("0.84147098480789650665250232163029899962")), Digits100("1e-37"));
+  EXPECT_LT(abs(sine - Digits("0.84147098480789650665250232163029899962")), Digits("1e-37"));
 }
 
 TEST(Elementary, ExponentialAgreesWithTheLibraryToAFewUlps) {
