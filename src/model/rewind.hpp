@@ -10,9 +10,10 @@ namespace zenosphere {
 /// A place in a box of side L is stored to about an ulp, epsilon L; what a flight, an image and the
 /// difference of two places round makes delta = 4 epsilon L, the depth of an overlap that rounding
 /// can have made. Spheres that graze each other stay that deep for sqrt(2 delta) of their relative
-/// path: so far back, and no further, contact may lie. In the paper's cases rewinds in units of
-/// sqrt(2 delta) over the fastest speed fall off at 1 and end at 15, in 53, 64 and 113 bits alike:
-/// pairs that graze more slowly than the fastest sphere flies. 32 leaves a factor of two.
+/// path: so far back, and no further, contact may lie. In the paper's cases one rewind in a hundred
+/// is longer than sqrt(2 delta) at the fastest speed, one in ten thousand than 10 of it, and the
+/// longest of 3e5 is 26, in 53, 64 and 113 bits alike: pairs that graze more slowly than the
+/// fastest sphere flies. At 32 these runs keep each bit.
 ///
 /// \param longest_side  of the box, diameters
 /// \param epsilon       of the number type

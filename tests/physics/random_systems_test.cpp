@@ -51,6 +51,15 @@ std::optional<support::Record> next_of(support::Gas& gas, double until) {
   return std::nullopt;
 }
 
+/// Whether the oracle does the engine's collision next, at the time of its own: an equal speed of
+/// all makes such ties, and rounding decides which comes first.
+bool is_simultaneous(Oracle& oracle, const Oracle::Event& event, const support::Record& collision,
+                     double speed) {
+  const auto next = next_of(oracle);
+  return next && next->i == collision.i && next->j == collision.j &&
+         (next->time - event.time) * speed <= 1e-9;
+}
+
 /// Compares the engine with the oracle as long as that can be: until the oracle itself, from places
 /// that are 1e-12 diameters off, tells other times by 1e-9 of the time in which a sphere flies a
 /// diameter, or another pair; or until a pair collides, in either, that was within 1e-10 diameters
@@ -79,11 +88,12 @@ int compared(const RandomSystem& system) {
     if (!(event->gap_before > 1e-10) || event->time * system.speed > 50) return n;
     const auto collision = next_of(gas, 1001 / system.speed).value_or(support::Record{});
     if (collision.number > 0 && !(collision.gap_before > 1e-10)) return n;
-    const bool is_same =
-        collision.i == event->i && collision.j == event->j &&
-        std::abs(gas.time() - event->time) * system.speed <= 1e-7 &&
-        std::abs(collision.impact.normal_speed - event->normal_speed) <= 1e-5 * system.speed;
+    const bool is_same = collision.i == event->i && collision.j == event->j &&
+                         std::abs(gas.time() - event->time) * system.speed <= 1e-7 &&
+                         std::abs(collision.impact.normal_speed - event->normal_speed) <=
+                             1e-5 * std::max(system.speed, event->normal_speed);
     if (is_same) continue;
+    if (is_simultaneous(oracle, *event, collision, system.speed)) return n;
     ADD_FAILURE() << fmt::format(
         "collision {}: spheres {} and {} at {:.17g}, normal speed {}; the oracle has {} and {} at "
         "{:.17g}, {}",
