@@ -72,6 +72,9 @@ Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   settling.distance = width;
   settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / 2
                                      : std::numeric_limits<double>::infinity();
+  // Which a `float` holds, however long the time unit of the case is.
+  const auto clock_unit = static_cast<double>(box.clock_unit());
+  settling.expiry_unit = box.is_sheared() ? std::ldexp(1.0, std::ilogb(clock_unit)) : 1.0;
   constexpr std::array<double, 3> unit_balls{2, std::numbers::pi, 4 * std::numbers::pi / 3};
   settling.neighbours = spheres / static_cast<double>(box.volume()) *
                         unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(width, Dim);

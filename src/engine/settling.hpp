@@ -8,12 +8,13 @@ namespace zenosphere {
 
 /// How far and for how long a sphere may go until it is settled again.
 struct Settling {
-  double grain;       ///< unit of places within cells, diameters
-  double reach;       ///< from its anchor, diameters
-  double distance;    ///< of anchors, diameters: spheres further apart cannot touch
-  double window;      ///< time; infinite without shear
-  double neighbours;  ///< on a list, where the spheres are spread evenly
-  bool is_dilute;     ///< many spheres, most of which fly through their balls and meet nobody there
+  double grain;        ///< unit of places within cells, diameters
+  double reach;        ///< from its anchor, diameters
+  double distance;     ///< of anchors, diameters: spheres further apart cannot touch
+  double window;       ///< time; infinite without shear
+  double expiry_unit;  ///< of Anchor::expires, time: a power of two about as long as the clock unit
+  double neighbours;   ///< on a list, where the spheres are spread evenly
+  bool is_dilute;  ///< many spheres, most of which fly through their balls and meet nobody there
 };
 
 /// What suits so many spheres in a box that is cut into cells. Two spheres that may touch have

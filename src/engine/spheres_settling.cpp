@@ -39,7 +39,7 @@ Real Spheres<Dim, Real>::unsettled_at(std::int32_t i, const Real& when, const Re
     const Real middle = anchor.place[static_cast<std::size_t>(axis)] * Real(settling_.grain);
     away[axis] = (place[axis] - corner[axis]) - middle;
   }
-  const Real expires = static_cast<Real>(anchor.expires);
+  const Real expires = static_cast<Real>(double{anchor.expires} * settling_.expiry_unit);
   if (!falls_) {
     // Most spheres meet somebody before they leave their ball: that needs no root.
     const Vector then = away + velocity * (until - when);
@@ -136,7 +136,8 @@ void Spheres<Dim, Real>::drop_anchor(std::int32_t i, const Real& when, const Vec
     anchor(i).place[static_cast<std::size_t>(axis)] =
         static_cast<std::int16_t>(floor_within(0, AnchorCells::grains_a_cell, grains + 0.5));
   }
-  anchor(i).expires = static_cast<float>(static_cast<double>(when) + settling_.window);
+  anchor(i).expires =
+      static_cast<float>((static_cast<double>(when) + settling_.window) / settling_.expiry_unit);
 }
 
 /// The lower corner of a cell.
@@ -272,7 +273,8 @@ template <int Dim, class Real>
 void Spheres<Dim, Real>::set_back(const Real& span) {
   for (Sphere& sphere : spheres_) sphere.time -= span;
   if (!box_.is_sheared()) return;
-  for (std::int32_t i = 0; i < count(); ++i) anchor(i).expires -= static_cast<float>(span);
+  const auto units = static_cast<float>(static_cast<double>(span) / settling_.expiry_unit);
+  for (std::int32_t i = 0; i < count(); ++i) anchor(i).expires -= units;
   cells_.slide_by_one_cell();
   if (cells_.whole_slide() == 0) lists_.turn();
   find_images();

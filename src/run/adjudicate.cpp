@@ -15,6 +15,7 @@
 #include "run/followed_group.hpp"
 #include "run/hit_groups.hpp"
 #include "run/judge_group.hpp"
+#include "run/rods_certificate.hpp"
 #include "run/trial_run.hpp"
 
 namespace zenosphere {
@@ -64,6 +65,9 @@ class Adjudicator {
 
   Adjudication go() {
     in_arithmetic_of(values_, [&]<int Dim, class Real>() { adjudicate_run<Dim, Real>(); });
+    if (const auto certificate = certificate_of(values_, limits_.interrupt)) {
+      apply(*certificate, result_);
+    }
     conclude();
     return std::move(result_);
   }
@@ -144,7 +148,7 @@ class Adjudicator {
       }
       judged = judge_group(before.group, trials);
       const bool may_go_on = !limits_.highest && 2 * digits_of(top) <= most_digits;
-      if (!may_go_on || !wants_more_digits(judged, trials.back())) break;
+      if (!may_go_on || !wants_more_digits(trials.back())) break;
     }
     result_.approaches.insert(result_.approaches.end(), judged.begin(), judged.end());
     if (!result_.trials.empty()) return;
@@ -186,12 +190,19 @@ class Adjudicator {
         trial, [&]<int Dim, class Real>() { return followed_in<Dim, Real>(before, trial); });
   }
 
+  /// The start of the case, read in the precision of the trial; or the state, promoted.
+  template <int Dim, class Real>
+  static TrialRun<Dim, Real> beginning(const Before& before, const Case& values) {
+    if (before.collisions == 0) return TrialRun<Dim, Real>(values);
+    ArchiveReader state(before.state);
+    if (before.bits < significand_bits<Real>()) state.promote_from(before.bits);
+    return TrialRun<Dim, Real>(values, state);
+  }
+
   template <int Dim, class Real>
   FollowedGroup followed_in(const Before& before, const Case& values) {
     const auto start = Clock::now();
-    ArchiveReader state(before.state);
-    if (before.bits < significand_bits<Real>()) state.promote_from(before.bits);
-    TrialRun<Dim, Real> trial(values, state);
+    TrialRun<Dim, Real> trial = beginning<Dim, Real>(before, values);
     trial.keep_collisions();
     const bool is_highest = !(values.collision.precision < highest_);
     TrialEnd end{.followed = before.group,

@@ -241,10 +241,10 @@ std::vector<JudgedApproach> judge_group(const HitGroup& group,
   return all;
 }
 
-bool wants_more_digits(const std::vector<JudgedApproach>& judged, const FollowedGroup& top) {
-  return top.trial.ended_by == "digits" &&
-         std::any_of(judged.begin(), judged.end(),
-                     [](const JudgedApproach& one) { return one.finding == Finding::undecided; });
+bool wants_more_digits(const FollowedGroup& top) {
+  return std::any_of(top.seen.begin(), top.seen.end(), [&](const SeenApproach& seen) {
+    return seen.evidence.approach.is_spent && judge(seen.evidence, top.limit) == Finding::undecided;
+  });
 }
 
 }  // namespace zenosphere

@@ -17,6 +17,6 @@ std::vector<JudgedApproach> judge_group(const HitGroup& group,
                                         const std::vector<FollowedGroup>& ladder);
 
 /// Whether more digits may tell more: an approach has used up those there were without a decision.
-bool wants_more_digits(const std::vector<JudgedApproach>& judged, const FollowedGroup& top);
+bool wants_more_digits(const FollowedGroup& top);
 
 }  // namespace zenosphere

@@ -146,7 +146,7 @@ RandomSystem::RandomSystem(std::uint64_t seed) {
   dimension = 1 + dice.below(3);
   spheres = 1 + dice.below(12);
   const bool is_ordinary = dice.below(2) == 0;
-  speed = is_ordinary ? 1.0 : std::pow(10.0, dice.between(-12, 137));
+  speed = is_ordinary ? 1.0 : std::pow(10.0, dice.between(-99, 99));
   restitution = one_of(dice, std::array{0.0, 0.0, 1e-15, 1e-12, 1e-9, 1e-3, 0.05, 0.3, 0.9, 1.0});
   const bool is_line = dimension == 1 || dice.below(3) == 0;
   for (int axis = 0; axis < dimension; ++axis) {

@@ -16,7 +16,7 @@ namespace {
 
 template <class Real>
 class Rewind : public testing::Test {};
-using Reals = testing::Types<double, Extended, Quad, Digits100>;
+using Reals = testing::Types<double, Extended, Quad, Digits>;
 TYPED_TEST_SUITE(Rewind, Reals);
 
 /// Sticking rods, around a ring of 7.5.

@@ -22,7 +22,7 @@ TEST(Message, BringsEveryBitOfASummaryThatTheStoreKeeps) {
   summary.collisions = 1234567890123;
   summary.collisions_per_sphere = 1.0 / 3;
   summary.time = 0x1.fffffffffffffp-1;
-  summary.separation = {3, 5, 0.1, 7};
+  summary.separation = {3, 5, 0.1, 7, 0.2, 0.05};
   summary.arrest.met = true;
   summary.arrest.pairs = {{1, 2}, {3, 4}};
   summary.ledger_error = 4.9e-324;

@@ -112,11 +112,11 @@ TEST(Exactly, AFloatingPointNumberIsTheFractionThatItIs) {
   EXPECT_EQ(exactly(-0x1p-1074), Rational(-1) / Rational(Integer(1) << 1074));
   EXPECT_EQ(exactly(0.0), 0);
   EXPECT_EQ(exactly(Extended(1) + 0x1p-63L), 1 + Rational(1) / Rational(Integer(1) << 63));
-  const Digits100 tenth = Digits100(1) / 10;
+  const Digits tenth = Digits(1) / 10;
   const Rational error = exactly(tenth) - Rational(1, 10);
   EXPECT_NE(error, 0);
   EXPECT_LT(abs(error), exact_number("1e-100"));
-  EXPECT_EQ(exactly(Digits100(3) * 1e40), exact_number("3") * Rational(1e40));
+  EXPECT_EQ(exactly(Digits(3) * 1e40), exact_number("3") * Rational(1e40));
 }
 
 }  // namespace

@@ -1,0 +1,108 @@
+#include "run/rods_certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/case_box.hpp"
+#include "proof/certify_rods.hpp"
+
+namespace zenosphere {
+namespace {
+
+/// With more rods the words are long, and seldom repeat.
+constexpr std::int64_t most_rods = 32;
+/// A second or two; where a word repeats, it does so within hundreds.
+constexpr std::int64_t most_contacts = 5000;
+
+bool is_of_rods(const Case& values) {
+  const auto& gravity = values.gravity.acceleration;
+  const bool falls = std::any_of(gravity.begin(), gravity.end(), [](double g) { return g != 0; });
+  const auto& collision = values.collision;
+  return values.system.dimension == 1 && values.system.spheres >= 2 &&
+         values.system.spheres <= most_rods && values.drive.kind == DriveKind::none &&
+         !values.walls.axis && !falls && values.start.arrangement == Arrangement::given &&
+         !values.start.granular_temperature &&
+         collision.restitution_law == RestitutionLaw::constant && collision.contact_duration == 0;
+}
+
+/// The shortest decimal text: what the user has written.
+std::string decimal(double number) { return fmt::format("{}", number); }
+
+RodsStart start_of_rods(const Case& values) {
+  RodsStart start;
+  for (const auto& position : values.start.positions) {
+    start.positions.push_back(decimal(position.front()));
+  }
+  for (const auto& velocity : values.start.velocities) {
+    start.velocities.push_back(decimal(velocity.front()));
+  }
+  start.restitution = decimal(values.system.restitution);
+  start.period = decimal(box_sides(values).front());
+  return start;
+}
+
+/// The digits that two decimals have in common.
+std::string common_digits(const std::string& lower, const std::string& upper) {
+  const auto end = std::mismatch(lower.begin(), lower.end(), upper.begin(), upper.end()).first;
+  return {lower.begin(), end};
+}
+
+std::string sentence_of(const Certificate& certificate) {
+  const std::string when =
+      certificate.exact.empty()
+          ? fmt::format("between {} and {}", certificate.lower, certificate.upper)
+          : certificate.exact;
+  return fmt::format(
+      "in exact fractions the word {} repeats for ever, each round taking at most {:.6g} of the "
+      "time "
+      "of the one before, and no other rod arrives: infinitely many collisions end at {}",
+      certificate.word, certificate.contraction, when);
+}
+
+void prove(const Certificate& certificate, Adjudication& adjudication) {
+  auto& all = adjudication.approaches;
+  const auto strongest = std::max_element(
+      all.begin(), all.end(),
+      [](const JudgedApproach& a, const JudgedApproach& b) { return a.finding < b.finding; });
+  if (strongest == all.end()) return;
+  JudgedApproach& proven = *strongest;
+  proven.finding = Finding::proven;
+  proven.spheres.assign(certificate.spheres.begin(), certificate.spheres.end());
+  std::sort(proven.spheres.begin(), proven.spheres.end());
+  proven.word = {certificate.word, true};
+  const std::string time = common_digits(certificate.lower, certificate.upper);
+  if (!proven.collapse_time || time.size() > proven.collapse_time->size()) {
+    proven.collapse_time = time;
+    proven.uncertainty = std::stod(certificate.upper) - std::stod(certificate.lower);
+  }
+  proven.sentence = sentence_of(certificate);
+}
+
+void refute(const Certificate& certificate, Adjudication& adjudication) {
+  for (JudgedApproach& one : adjudication.approaches) {
+    if (one.finding != Finding::singular && one.finding != Finding::undecided) continue;
+    one.finding = Finding::near_collapse;
+    one.collapse_time.reset();
+    one.uncertainty.reset();
+    one.sentence = fmt::format(
+        "{}; but in exact fractions no two rods approach each other any more after {} collisions",
+        one.sentence, certificate.collisions);
+  }
+}
+
+}  // namespace
+
+std::optional<Certificate> certificate_of(const Case& values, const std::atomic<bool>* interrupt) {
+  if (!is_of_rods(values)) return std::nullopt;
+  RodLimits limits{.contacts = most_contacts};
+  limits.interrupt = interrupt;
+  return certify_rods(start_of_rods(values), limits);
+}
+
+void apply(const Certificate& certificate, Adjudication& adjudication) {
+  if (certificate.kind == Certificate::Kind::proven) prove(certificate, adjudication);
+  if (certificate.kind == Certificate::Kind::escapes) refute(certificate, adjudication);
+}
+
+}  // namespace zenosphere
