@@ -214,6 +214,28 @@ function sphereSection(run, frames, snapshot) {
   }
 }
 
+/** Approaches of spheres, in the order of the run's hits; files of older versions have none. */
+function approachesTable(approaches) {
+  if (!Array.isArray(approaches) || approaches.length === 0) return [];
+  const rows = approaches.map((one) => [
+    grouped(one.run_hit),
+    one.finding,
+    one.precision,
+    grouped(one.spheres?.length ?? 0),
+    `1e-${one.decades}`,
+    String(one.collapse_time ?? DASH).slice(0, 24),
+  ]);
+  return [
+    table(
+      [
+        ["the run's hit", "finding", "seen in", "spheres", "smallest gap", "collapse time"],
+        ...rows,
+      ],
+      "Approaches of spheres, followed in more digits from before the hits",
+    ),
+  ];
+}
+
 function adjudicationSection(run) {
   const found = run.adjudication;
   if (!Array.isArray(found?.trials)) return [];
@@ -232,6 +254,7 @@ function adjudicationSection(run) {
       "adjudication",
       "Physics or rounding?",
       element("p", {}, element("strong", {}, `${found.finding}. `), found.sentence ?? ""),
+      ...approachesTable(found.approaches),
       table(
         [
           ["digits, overlap rule", "first hit", "at time", "hits", "absorbed", "arrest", "end"],

@@ -190,10 +190,11 @@ class Adjudicator {
         trial, [&]<int Dim, class Real>() { return followed_in<Dim, Real>(before, trial); });
   }
 
-  /// The start of the case, read in the precision of the trial; or the state, promoted.
+  /// The state, promoted; a start that the case writes is read in the precision of the trial.
   template <int Dim, class Real>
   static TrialRun<Dim, Real> beginning(const Before& before, const Case& values) {
-    if (before.collisions == 0) return TrialRun<Dim, Real>(values);
+    const bool is_written = values.start.arrangement == Arrangement::given;
+    if (before.collisions == 0 && is_written) return TrialRun<Dim, Real>(values);
     ArchiveReader state(before.state);
     if (before.bits < significand_bits<Real>()) state.promote_from(before.bits);
     return TrialRun<Dim, Real>(values, state);

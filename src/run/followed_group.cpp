@@ -43,9 +43,20 @@ class GroupExamination {
     for (const std::size_t place : places_) rows_.push_back(all_.rows[place]);
     window_ = smoothing_window(rows_, least_approach_depth);
     depths_ = smoothed_depths(rows_, window_);
-    for (const ClusterApproach& approach : approaches_of(rows_, limit_, least_approach_depth)) {
+    auto found = approaches_of(rows_, limit_, least_approach_depth);
+    for (ClusterApproach& approach : found) {
+      if (!approach.is_spent && approach.end == rows_.size() && has_been_left()) {
+        approach.reopened_to = 0;
+      }
       all.push_back(seen(approach, cluster));
     }
+  }
+
+  /// Since the cluster's last contact the clock has gone on for longer than its last contacts took:
+  /// they fly apart.
+  bool has_been_left() const {
+    const std::size_t last = rows_.size() - 1;
+    return last >= window_ && all_.end - time(last) > time(last) - time(last - window_);
   }
 
   SeenApproach seen(const ClusterApproach& approach,
@@ -91,7 +102,7 @@ class GroupExamination {
   /// Durations of the rounds of a periodic word, as far back as it goes, relative to the last.
   std::vector<double> durations(const ClusterApproach& approach, std::size_t period) const {
     std::vector<double> backwards;
-    const std::size_t last = last_measured(approach);
+    const std::size_t last = last_measured(approach, std::min(14.0, limit_ / 4));
     if (last < approach.first + period) return {};
     const Real unit = time(last) - time(last - period);
     if (!(unit > 0)) return {};
@@ -113,9 +124,9 @@ class GroupExamination {
     return true;
   }
 
-  /// The last row whose gap is not yet eaten into by rounding.
-  std::size_t last_measured(const ClusterApproach& approach) const {
-    constexpr double decades_of_rounding = 4;
+  /// The last row whose gap is so many decades above the limit, and the error of its flight by as
+  /// many below one.
+  std::size_t last_measured(const ClusterApproach& approach, double decades_of_rounding) const {
     std::size_t last = approach.first;
     for (std::size_t k = approach.first; k <= approach.last; ++k) {
       if (rows_[k].depth > limit_ - decades_of_rounding) break;
@@ -141,7 +152,7 @@ class GroupExamination {
   void add_collapse_time(SeenApproach& seen) const {
     const ClusterApproach& approach = seen.evidence.approach;
     const ContactWord& word = seen.evidence.word;
-    const std::size_t last = last_measured(approach);
+    const std::size_t last = last_measured(approach, 4);
     std::size_t step = word.is_periodic ? word.letters.size() : window_;
     std::vector<Real> ends;
     for (; ends.empty() && approach.first + 5 * step <= last; step *= 2) {

@@ -58,6 +58,7 @@ void TrialRun<Dim, Real>::go(const TrialEnd& end) {
     }
   }
   if (const auto& pair = simulation_.stopped_before()) separation_.observe_next(pair->gap);
+  if (kept_) kept_->end = exactly_since_start(simulation_.now(), simulation_.box().clock_unit());
 }
 
 template <int Dim, class Real>

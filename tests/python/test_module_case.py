@@ -65,7 +65,7 @@ def test_numbers_of_numpy_are_numbers():
 
 
 def test_real_numbers_arrive_bit_for_bit():
-    for number in (0.1, 1 / 3, 1e-200, 1e16, 0.30000000000000004):
+    for number in (0.1, 1 / 3, 1.2345678901234567e-20, 1e16, 0.30000000000000004):
         case = zenosphere.Case(SHEARED, overrides={"start.granular_temperature": number})
         assert case.tables["start"]["granular_temperature"] == number
 
