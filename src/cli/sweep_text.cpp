@@ -55,8 +55,8 @@ std::string progress_text(const SweepProgress& progress, const std::string& stor
 
 std::string progress_json(const SweepProgress& progress, const std::string& store) {
   return fmt::format("{{\"store\": {}, {}, \"ended_here\": {}, \"wall_seconds\": {}}}",
-                     case_format::in_quotes(store), counts_json(progress.counts), progress.ended_here,
-                     progress.wall_seconds);
+                     case_format::in_quotes(store), counts_json(progress.counts),
+                     progress.ended_here, progress.wall_seconds);
 }
 
 std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t workers,

@@ -26,8 +26,8 @@ struct Excess {
 /// The first excess of a TOML text, right or wrong, or nothing.
 std::optional<Excess> excess_in(std::string_view text);
 
-/// Where a string of TOML ends whose quote stands at a byte of the text: behind it, or at the end of
-/// the line or text where it does not end.
+/// Where a string of TOML ends whose quote stands at a byte of the text: behind it, or at the end
+/// of the line or text where it does not end.
 std::size_t end_of_string(std::string_view text, std::size_t at);
 
 }  // namespace zenosphere::case_format

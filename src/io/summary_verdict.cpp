@@ -13,7 +13,8 @@ std::string left_sentence(const Summary& summary) {
   std::string last = fmt::format("collision {}", separation.last_collision.value_or(0));
   if (separation.last_time) last += fmt::format(", time {:.6g}", *separation.last_time);
   return fmt::format(
-      "No arrest: this computation met the separation criterion and left it again, the last time at\n"
+      "No arrest: this computation met the separation criterion and left it again, the last time "
+      "at\n"
       "{}. Whether the spheres had collapsed, and rounding led them out of it,\n"
       "or only came close, is for zenosphere adjudicate to tell.",
       last);
