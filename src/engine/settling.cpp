@@ -65,9 +65,11 @@ Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   settling.grain = widest / AnchorCells::grains_a_cell;
   const double free_path = mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
   const bool are_alone = fly_far_alone(free_path, spheres, Dim);
-  if (!are_alone) {
-    width = std::min(width, std::max(most_width(Dim), 1 + 100 * settling.grain));
-  }
+  // Of places 300 diameters apart 1e-11 diameters^2 are rounding, far below what may_touch()
+  // allows.
+  constexpr double most_alone = 300;
+  const double most = are_alone ? most_alone : most_width(Dim);
+  width = std::min(width, std::max(most, 1 + 100 * settling.grain));
   settling.reach = (width - 1) / 2 - grains_of_error * settling.grain;
   settling.distance = width;
   settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / 2

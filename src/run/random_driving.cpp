@@ -29,7 +29,7 @@ void RandomDriving<Dim, Real>::kick(Simulation<Dim, Real>& simulation,
   Vec<Dim, Real> mean;
   for (auto& change : changes) {
     for (int axis = 0; axis < Dim; ++axis) change[axis] = Real(step_ * random_.normal());
-    mean += change * Real(1.0 / static_cast<double>(changes.size()));
+    mean += change * Real(1 / Real(static_cast<double>(changes.size())));
   }
   if (keeps_momentum_) {
     for (auto& change : changes) change -= mean;

@@ -130,3 +130,27 @@ def test_far_apart_spheres_meet_in_seconds(program):
     # 4 n sqrt(pi T) per sphere and time, n = 6 phi/pi; 2 x 325 flights scatter by 4 % (1/sqrt(650)).
     expected = 4 * 6e-6 / np.pi * np.sqrt(np.pi)
     assert summary["averages"]["collision_rate"] == pytest.approx(expected, rel=5 * 325**-0.5)
+
+
+@pytest.mark.parametrize("precision", ["double", "quad"])
+def test_random_rods_in_a_box_of_nearly_a_billion_diameters_collide(program, precision):
+    text = ("[system]\ndimension = 1\nspheres = 8\nrestitution = 0.1\nsolids_volume_fraction = 1e-8\n"
+            '[start]\narrangement = "random"\nseed = 1\ngranular_temperature = 1\n'
+            f'[drive]\nkind = "none"\n[collision]\nprecision = "{precision}"\n[run]\ncollisions = 2\n')
+    summary = summary_of(program, text)
+    assert summary["collisions"] == 2 and summary["ended_by"] == "collisions"
+
+
+def test_ball_that_bounces_low_for_long_keeps_its_ledger(program):
+    text = case("dimension = 1\nspheres = 1\nrestitution = 1\nsides = [8]",
+                "positions = [0.5]\nvelocities = [1e-4]", '[walls]\naxis = "x"\nrestitution = 1',
+                "[gravity]\nacceleration = [-1]", "[run]\ncollisions = 100000")
+    assert summary_of(program, text)["ledger_error"] < 1e-10
+
+
+@pytest.mark.parametrize("precision", ["double", "quad", "digits30"])
+def test_kicks_take_no_momentum_away_in_any_precision(program, precision):
+    text = rods([1, 3, 5], [1, 0.5, -0.2], f'[collision]\nprecision = "{precision}"',
+                "[run]\ntime = 20", restitution=0.8, side=8).replace(
+                    'kind = "none"', 'kind = "random"\nnoise_strength = 1\nkick_interval = 0.1')
+    assert summary_of(program, text)["ended_by"] == "time"  # and no self-check
