@@ -4,9 +4,6 @@
 
 namespace zenosphere {
 
-namespace {
-
-/// A binary number of Arb, exactly.
 Rational exact(const arf_t number) {
   fmpz_t mantissa;
   fmpz_t exponent;
@@ -27,8 +24,6 @@ Rational exact(const arf_t number) {
   }
   return value;
 }
-
-}  // namespace
 
 long& BallPrecision::current() {
   thread_local long bits = 256;

@@ -7,6 +7,9 @@
 
 namespace zenosphere {
 
+/// A binary number of Arb, exactly.
+Rational exact(const arf_t number);
+
 /// How many bits the midpoints of balls have while this lives, in this thread.
 class BallPrecision {
  public:

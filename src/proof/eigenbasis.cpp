@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "proof/ball.hpp"
+
 namespace zenosphere {
 
 namespace {
@@ -42,26 +44,7 @@ void assign(arb_t to, const Rational& value) {
 }
 
 /// The midpoint of a ball, as the exact binary number that it is.
-Rational midpoint(const arb_t ball) {
-  fmpz_t mantissa;
-  fmpz_t exponent;
-  fmpz_init(mantissa);
-  fmpz_init(exponent);
-  arf_get_fmpz_2exp(mantissa, exponent, arb_midref(ball));
-  Integer number;
-  fmpz_get_mpz(number.get_mpz_t(), mantissa);
-  const slong shift = fmpz_get_si(exponent);
-  fmpz_clear(mantissa);
-  fmpz_clear(exponent);
-  Rational value(number);
-  const auto bits = static_cast<mp_bitcnt_t>(std::labs(shift));
-  if (shift < 0) {
-    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), bits);
-  } else {
-    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), bits);
-  }
-  return value;
-}
+Rational midpoint(const arb_t ball) { return exact(arb_midref(ball)); }
 
 struct Eigenvalue {
   Rational real;

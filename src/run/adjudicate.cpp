@@ -142,10 +142,12 @@ class Adjudicator {
     std::vector<JudgedApproach> judged;
     for (Precision top = highest_; !is_over(); top = Precision::digits(2 * digits_of(top))) {
       for (const Precision precision : ladder_to(top)) {
-        const bool is_new = trials.empty() || trials.back().trial.precision < precision;
-        if (is_new && !is_over()) trials.push_back(followed(before, precision, result_.rule));
+        const bool is_known = !trials.empty() && !(trials.back().trial.precision < precision);
+        if (is_known || is_over()) continue;
+        trials.push_back(followed(before, precision, result_.rule));
         result_.was_interrupted |= trials.back().trial.ended_by == "interrupted";
       }
+      if (trials.empty()) return;  // the time has run out in between
       judged = judge_group(before.group, trials);
       const bool may_go_on = !limits_.highest && 2 * digits_of(top) <= most_digits;
       if (!may_go_on || !wants_more_digits(trials.back())) break;
@@ -202,7 +204,6 @@ class Adjudicator {
 
   template <int Dim, class Real>
   FollowedGroup followed_in(const Before& before, const Case& values) {
-    const auto start = Clock::now();
     TrialRun<Dim, Real> trial = beginning<Dim, Real>(before, values);
     trial.keep_collisions();
     const bool is_highest = !(values.collision.precision < highest_);
@@ -213,7 +214,6 @@ class Adjudicator {
     trial.go(end);
     return {.trial = trial.trial(),
             .limit = trial.limit(),
-            .seconds = std::chrono::duration<double>(Clock::now() - start).count(),
             .first_number = trial.kept().first_number,
             .rows = trial.kept().rows,
             .seen = approaches_seen(trial.kept(), trial.limit(), trial.spheres(), before.group)};

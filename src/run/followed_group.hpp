@@ -29,8 +29,7 @@ struct SeenApproach {
 /// What one trial has seen of a group of hits.
 struct FollowedGroup {
   Trial trial;
-  double limit = 0;  ///< decades of the type's resolution
-  double seconds = 0;
+  double limit = 0;                  ///< decades of the type's resolution
   std::int64_t first_number = 0;     ///< of the first row
   std::vector<DepthRow> rows{};      ///< every collision of the trial
   std::vector<SeenApproach> seen{};  ///< in order of their first rows
