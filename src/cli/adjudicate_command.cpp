@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/case_input.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -34,7 +35,7 @@ int adjudicate(const Arguments& arguments) {
   const bool is_output = is_hdf5_file(arguments.file);
   const Case values = is_output ? parse_case(read_output_info(arguments.file).resolved_case,
                                              arguments.file, arguments.overrides)
-                                : read_case(arguments.file, arguments.overrides);
+                                : case_from(arguments.file, arguments.overrides);
   AdjudicationLimits limits{.highest = arguments.up_to,
                             .collisions = arguments.collisions,
                             .seconds = arguments.seconds,

@@ -24,6 +24,12 @@ void add_sweep(CLI::App& app, int& status);
 void add_sweep_looks(CLI::App& sweep, int& status);
 void add_export(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
+void add_new(CLI::App& app, int& status);
+void add_examples(CLI::App& app, int& status);
+void add_completion(CLI::App& app, int& status);
+void add_manual(CLI::App& app, int& status);
+/// The commands of the Python package; these replace the program and do not come back.
+void add_python_commands(CLI::App& app);
 
 /// Adds `--set KEY=VALUE`, which may be given any number of times.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides);

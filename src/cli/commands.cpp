@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/command_table.hpp"
+#include "cli/console.hpp"
 #include "io/build_info.hpp"
 #include "model/errors.hpp"
 
@@ -19,7 +21,36 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+namespace {
+
+/// What somebody sees who types the program's name alone.
+constexpr const char* overview =
+    "zenosphere: event-driven inelastic hard spheres. Did they collapse, or did the arithmetic?\n"
+    "\n"
+    "  zenosphere new sheared                      a commented case to start from, sheared.toml\n"
+    "  zenosphere run sheared.toml -o run.h5       run it\n"
+    "  zenosphere report run.h5 -o run.html        look at it in a browser\n"
+    "  zenosphere adjudicate run.h5                physics or rounding?\n"
+    "\n"
+    "zenosphere --help lists all commands, zenosphere COMMAND --help the options of one.\n";
+
+/// Below the help of each command: how it is used, and what it returns.
+void add_footers(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    const std::string_view example = example_of(command->get_name());
+    if (!example.empty()) {
+      command->footer(fmt::format("Example:\n  {}\n\nExit codes:\n{}", example, exit_code_lines()));
+    }
+  }
+}
+
+}  // namespace
+
 int run_command_line(int argc, char** argv) {
+  if (argc == 1) {
+    print(overview);
+    return exit_code::done;
+  }
   CLI::App app(
       "Event-driven inelastic hard spheres under shear: did it collapse, or the arithmetic?",
       "zenosphere");
@@ -36,6 +67,12 @@ int run_command_line(int argc, char** argv) {
   add_sweep(app, status);
   add_export(app, status);
   add_report(app, status);
+  add_new(app, status);
+  add_examples(app, status);
+  add_python_commands(app);
+  add_completion(app, status);
+  add_manual(app, status);
+  add_footers(app);
   try {
     if (argc == 2 && std::string_view(argv[1]) == "help") throw CLI::CallForHelp();
     app.parse(argc, argv);

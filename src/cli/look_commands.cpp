@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/case_input.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -34,7 +35,7 @@ std::string as_comments(const std::string& text) {
 }
 
 int check(const Arguments& arguments) {
-  const Case values = read_case(arguments.file, arguments.overrides);
+  const Case values = case_from(arguments.file, arguments.overrides);
   print(resolved_toml(values) + '\n' + as_comments(derived_text(values)));
   return exit_code::done;
 }
@@ -51,7 +52,9 @@ void add_check(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command =
       *app.add_subcommand("check", "validate a case; print resolved and derived values");
-  command.add_option("case", arguments->file, "case file")->required()->type_name("CASE.toml");
+  command.add_option("case", arguments->file, "case file; - is the standard input")
+      ->required()
+      ->type_name("CASE.toml");
   add_overrides(command, arguments->overrides);
   command.callback([arguments, &status] { status = check(*arguments); });
 }

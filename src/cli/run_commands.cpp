@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/case_input.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress_line.hpp"
-#include "io/case_file.hpp"
 #include "io/recovery.hpp"
 #include "run/resume.hpp"
 #include "run/run.hpp"
@@ -69,7 +69,7 @@ int run(const Arguments& arguments) {
     require_name(*arguments.output);
     require_other_than(arguments.file, *arguments.output, "the case file itself");
   }
-  const Case values = read_case(arguments.file, arguments.overrides);
+  const Case values = case_from(arguments.file, arguments.overrides);
   if (!arguments.quiet && !arguments.output) {
     fmt::print(stderr, "{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
                arguments.file);
@@ -96,7 +96,9 @@ void add_reporting(CLI::App& command, Arguments& arguments) {
 void add_run(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("run", "run a case and print what came out");
-  command.add_option("case", arguments->file, "case file")->required()->type_name("CASE.toml");
+  command.add_option("case", arguments->file, "case file; - is the standard input")
+      ->required()
+      ->type_name("CASE.toml");
   command.add_option("-o,--output", arguments->output, "keep collisions and snapshots here")
       ->type_name("OUT.h5");
   add_overrides(command, arguments->overrides);

@@ -15,7 +15,8 @@ def commands_in(help_text):
 def test_help_lists_the_commands_that_exist_and_no_other(program):
     done = program("--help")
     assert set(commands_in(done.stdout)) == {
-        "run", "resume", "check", "info", "adjudicate", "verify", "sweep", "export", "report"}
+        "run", "resume", "check", "info", "adjudicate", "verify", "sweep", "export", "report",
+        "new", "examples", "figures", "report", "cooling", "ensemble", "completion", "manual"}
     assert done.stderr == ""
 
 
@@ -40,7 +41,7 @@ def test_help_is_a_command_too(program):
 
 
 @pytest.mark.parametrize("words", [
-    [], ["simulate"], ["run"], ["check"], ["info"], ["run", "case.toml", "--nonsense"],
+    ["simulate"], ["run"], ["check"], ["info"], ["run", "case.toml", "--nonsense"],
     ["run", "case.toml", "other.toml"], ["run", "case.toml", "-o"], ["run", "case.toml", "--set"],
     ["resume"], ["resume", "out.h5", "-o", "other.h5"], ["--nonsense"],
 ])

@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/command.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/outputs.hpp"
+#include "cli/shipped_cases.hpp"
+#include "io/spelling.hpp"
+#include "model/errors.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+constexpr std::string_view folder_of_questions = "new/";
+
+/// What the user typed.
+struct Arguments {
+  std::optional<std::string> name;
+  std::optional<std::string> output;
+  std::optional<std::string> folder;
+  bool overwrite = false;
+};
+
+std::string listing(bool (*is_listed)(const ShippedCase&), std::size_t prefix) {
+  std::size_t width = 0;
+  for (const ShippedCase& shipped : shipped_cases()) {
+    if (is_listed(shipped)) width = std::max(width, shipped.name.size() - prefix);
+  }
+  std::string text;
+  for (const ShippedCase& shipped : shipped_cases()) {
+    if (!is_listed(shipped)) continue;
+    std::string name(shipped.name.substr(prefix));
+    name.resize(width, ' ');
+    text += fmt::format("  {}  {}\n", name, title_of(shipped));
+  }
+  return text;
+}
+
+bool is_question(const ShippedCase& shipped) {
+  return shipped.name.starts_with(folder_of_questions);
+}
+
+bool is_example(const ShippedCase& shipped) { return !is_question(shipped); }
+
+const ShippedCase& case_named(const std::string& name, const std::string& typed,
+                              const std::string& command) {
+  const auto shipped = shipped_cases();
+  const auto found = std::find_if(shipped.begin(), shipped.end(),
+                                  [&](const ShippedCase& one) { return one.name == name; });
+  if (found != shipped.end()) return *found;
+  throw InputError(
+      fmt::format("zenosphere {}: no case is called {}; run zenosphere {} for the list", command,
+                  typed, command));
+}
+
+void write_case(const std::filesystem::path& file, std::string_view text, bool overwrite) {
+  std::error_code ignored;
+  if (!overwrite && std::filesystem::exists(file, ignored)) {
+    throw OutputError(fmt::format("{}: is there already; choose another name, or add --overwrite",
+                                  file.string()));
+  }
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) {
+    throw OutputError(file.string() + ": could not be written; choose another place");
+  }
+}
+
+/// Writes a case where the user wants it, and says what to do with it.
+void hand_out(const ShippedCase& shipped, const std::string& file, bool overwrite) {
+  require_name(file);
+  if (file == "-") return print(std::string(shipped.text));
+  write_case(file, shipped.text, overwrite);
+  const std::string stem = std::filesystem::path(file).stem().string();
+  const bool is_sweep = shipped.text.find("\n[sweep]") != std::string_view::npos;
+  print(is_sweep ? fmt::format("{0}: {1}.\nzenosphere sweep {0} --dry-run shows its plan\n", file,
+                               title_of(shipped))
+                 : fmt::format("{0}: {1}\nzenosphere run {0} -o {2}.h5 runs it\n", file,
+                               title_of(shipped), stem));
+}
+
+int new_case(const Arguments& arguments) {
+  if (!arguments.name) {
+    print("zenosphere new NAME writes a commented case to start from, NAME.toml:\n" +
+          listing(is_question, folder_of_questions.size()));
+    return exit_code::done;
+  }
+  const std::string name = std::string(folder_of_questions) + *arguments.name;
+  hand_out(case_named(name, *arguments.name, "new"),
+           arguments.output.value_or(*arguments.name + ".toml"), arguments.overwrite);
+  return exit_code::done;
+}
+
+void copy_all(const std::filesystem::path& folder, bool overwrite) {
+  std::size_t copied = 0;
+  for (const ShippedCase& shipped : shipped_cases()) {
+    write_case(folder / (std::string(shipped.name) + ".toml"), shipped.text, overwrite);
+    ++copied;
+  }
+  print(fmt::format("{}: {} case and sweep files\n", folder.string(), copied));
+}
+
+int examples(const Arguments& arguments) {
+  if (arguments.folder) {
+    require_name(*arguments.folder);
+    copy_all(*arguments.folder, arguments.overwrite);
+  } else if (arguments.name) {
+    const std::string file = std::filesystem::path(*arguments.name).filename().string() + ".toml";
+    hand_out(case_named(*arguments.name, *arguments.name, "examples"),
+             arguments.output.value_or(file), arguments.overwrite);
+  } else {
+    print("zenosphere examples NAME copies one, zenosphere examples --all FOLDER all of them:\n" +
+          listing(is_example, 0));
+  }
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_new(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("new", "write a commented case to start from");
+  command.add_option("name", arguments->name, "the question; without it: the list of them")
+      ->type_name("NAME");
+  command.add_option("-o,--output", arguments->output, "file to write; default: NAME.toml")
+      ->type_name("CASE.toml");
+  command.add_flag("--overwrite", arguments->overwrite, "replace what is there");
+  command.callback([arguments, &status] { status = new_case(*arguments); });
+}
+
+void add_examples(CLI::App& app, int& status) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("examples", "list the shipped cases, or copy them");
+  const auto name =
+      command.add_option("name", arguments->name, "one to copy; without it: the list of them")
+          ->type_name("NAME");
+  const auto output =
+      command.add_option("-o,--output", arguments->output, "file to write; default: NAME.toml")
+          ->type_name("CASE.toml");
+  command.add_option("--all", arguments->folder, "copy all of them into this folder")
+      ->type_name("FOLDER")
+      ->excludes(name)
+      ->excludes(output);
+  command.add_flag("--overwrite", arguments->overwrite, "replace what is there");
+  command.callback([arguments, &status] { status = examples(*arguments); });
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace zenosphere {
+
+/// A case or sweep file of the folder examples/, which the program carries with it.
+struct ShippedCase {
+  std::string_view name;  ///< its path there without .toml: `shear-e06`, `new/rods`, `sweeps/disks`
+  std::string_view text;
+};
+
+/// All of them, in the order of their names; written by cmake/shipped_cases.cmake.
+std::span<const ShippedCase> shipped_cases();
+
+/// The first sentence of the comment that a file begins with.
+std::string title_of(const ShippedCase& shipped);
+
+}  // namespace zenosphere
