@@ -13,7 +13,7 @@ namespace zenosphere {
 /// What a search has found at one point of the other axes.
 struct FoundBoundary {
   std::vector<std::string> values;  ///< of the other axes, as in their columns
-  Finding finding = Finding::unresolved;
+  BoundaryFinding finding = BoundaryFinding::unresolved;
   Estimate estimate{};
   std::int64_t rounds = 0;
   std::int64_t runs = 0;  ///< failed ones included

@@ -13,15 +13,15 @@ constexpr std::int64_t least_rounds = 2;
 
 }  // namespace
 
-std::string_view word_of(Finding finding) {
+std::string_view word_of(BoundaryFinding finding) {
   switch (finding) {
-    case Finding::crossing:
+    case BoundaryFinding::crossing:
       return "crossing";
-    case Finding::below:
+    case BoundaryFinding::below:
       return "below";
-    case Finding::above:
+    case BoundaryFinding::above:
       return "above";
-    case Finding::unresolved:
+    case BoundaryFinding::unresolved:
       break;
   }
   return "unresolved";
@@ -39,18 +39,18 @@ Estimate BoundarySearch::estimate() const {
   return {response_.quantile(0.5), response_.quantile(tail), response_.quantile(1 - tail)};
 }
 
-Finding BoundarySearch::finding() const {
-  if (runs_ < least_rounds * range_.round_runs) return Finding::unresolved;
-  if (response_.below() > 1 - tail) return Finding::below;
-  if (response_.above() > 1 - tail) return Finding::above;
+BoundaryFinding BoundarySearch::finding() const {
+  if (runs_ < least_rounds * range_.round_runs) return BoundaryFinding::unresolved;
+  if (response_.below() > 1 - tail) return BoundaryFinding::below;
+  if (response_.above() > 1 - tail) return BoundaryFinding::above;
   const Estimate estimate = this->estimate();
   const bool is_inside = estimate.low >= range_.from && estimate.high <= range_.to;
   const bool is_narrow = estimate.high - estimate.low <= range_.resolution;
-  return is_inside && is_narrow ? Finding::crossing : Finding::unresolved;
+  return is_inside && is_narrow ? BoundaryFinding::crossing : BoundaryFinding::unresolved;
 }
 
 bool BoundarySearch::has_ended() const {
-  return runs_ >= range_.most_runs || finding() != Finding::unresolved;
+  return runs_ >= range_.most_runs || finding() != BoundaryFinding::unresolved;
 }
 
 std::vector<double> BoundarySearch::next_round() const {

@@ -19,7 +19,7 @@ struct SearchRange {
 };
 
 /// What a search knows so far.
-enum class Finding {
+enum class BoundaryFinding {
   crossing,    ///< the interval is as narrow as wanted
   below,       ///< P < 1/2 in the whole range, with 97.5 % probability
   above,       ///< P > 1/2 in the whole range, with 97.5 % probability
@@ -27,7 +27,7 @@ enum class Finding {
 };
 
 /// `crossing`, `below`, `above`, `unresolved`.
-std::string_view word_of(Finding finding);
+std::string_view word_of(BoundaryFinding finding);
 
 /// Where P = 1/2 is: posterior median and the 95 % interval between the 2.5 % and 97.5 % quantiles.
 /// An end outside the range means that the interval goes on there.
@@ -65,7 +65,7 @@ class BoundarySearch {
   /// Whether there is no further round.
   bool has_ended() const;
 
-  Finding finding() const;
+  BoundaryFinding finding() const;
   Estimate estimate() const;
   std::int64_t runs() const { return runs_; }
 

@@ -19,13 +19,13 @@ std::string estimate_text(const Estimate& estimate, const SearchRange& range) {
 
 std::string answer(const FoundBoundary& found, const BoundaryRequest& request) {
   switch (found.finding) {
-    case Finding::crossing:
+    case BoundaryFinding::crossing:
       return estimate_text(found.estimate, request.range);
-    case Finding::below:
+    case BoundaryFinding::below:
       return "P < 1/2 in the whole range";
-    case Finding::above:
+    case BoundaryFinding::above:
       return "P > 1/2 in the whole range";
-    case Finding::unresolved:
+    case BoundaryFinding::unresolved:
       break;
   }
   return "unresolved, " + estimate_text(found.estimate, request.range);

@@ -40,7 +40,7 @@ Coverage coverage(const SearchRange& range, const Probability& p, double c, int 
   for (int number = 0; number < searches; ++number) {
     const BoundarySearch search = searched(range, p, 1000 + number);
     const Estimate estimate = search.estimate();
-    result.crossings += search.finding() == Finding::crossing;
+    result.crossings += search.finding() == BoundaryFinding::crossing;
     result.covered += estimate.low <= c && c <= estimate.high;
     result.mean_runs += static_cast<double>(search.runs()) / searches;
   }
@@ -59,7 +59,7 @@ TEST(BoundarySearch, StepIsBracketedByRunsOnBothSides) {
   range.resolution = 0.001;
   const auto search = searched(
       range, [=](double x) { return x < c ? 1.0 : 0.0; }, 1);
-  EXPECT_EQ(search.finding(), Finding::crossing);
+  EXPECT_EQ(search.finding(), BoundaryFinding::crossing);
   EXPECT_LE(search.estimate().low, c);
   EXPECT_GE(search.estimate().high, c);
   // Eight cuts a round are a factor of nine, and 9^4 > 1000 > 9^3: four rounds after the first
@@ -87,7 +87,7 @@ TEST(BoundarySearch, IntervalHoldsTheMedianOfAnotherResponseToo) {
 TEST(BoundarySearch, RisingResponseIsFoundAsWell) {
   const auto rising = [](double x) { return 1 - logistic(0.7, 0.02)(x); };
   const auto search = searched(restitution, rising, 3);
-  EXPECT_EQ(search.finding(), Finding::crossing);
+  EXPECT_EQ(search.finding(), BoundaryFinding::crossing);
   EXPECT_NEAR(search.estimate().place, 0.7, 0.06);  // 2.4 standard errors at most
 }
 
@@ -98,9 +98,9 @@ TEST(BoundarySearch, NoCrossingIsSaidWithTheSide) {
       restitution, [](double) { return 1.0; }, 1);
   const auto seldom = searched(
       restitution, [](double) { return 0.1; }, 1);
-  EXPECT_EQ(never.finding(), Finding::below);
-  EXPECT_EQ(always.finding(), Finding::above);
-  EXPECT_EQ(seldom.finding(), Finding::below);
+  EXPECT_EQ(never.finding(), BoundaryFinding::below);
+  EXPECT_EQ(always.finding(), BoundaryFinding::above);
+  EXPECT_EQ(seldom.finding(), BoundaryFinding::below);
   EXPECT_LE(never.runs(), 40);
 }
 
@@ -108,7 +108,7 @@ TEST(BoundarySearch, CrossingJustOutsideTheRangeIsNotClaimedToBeInside) {
   int claimed = 0;
   for (int number = 0; number < 50; ++number) {
     const auto search = searched(restitution, logistic(-0.02, 0.03), 500 + number);
-    claimed += search.finding() == Finding::crossing;
+    claimed += search.finding() == BoundaryFinding::crossing;
   }
   EXPECT_LE(claimed, 5);  // 1.25 of 50 and 3 standard errors of 1.1
 }
@@ -118,7 +118,7 @@ TEST(BoundarySearch, EndsWithTheRunsItMayUse) {
   range.most_runs = 21;
   const auto search = searched(range, logistic(0.5, 0.2), 1);
   EXPECT_EQ(search.runs(), 21);
-  EXPECT_EQ(search.finding(), Finding::unresolved);
+  EXPECT_EQ(search.finding(), BoundaryFinding::unresolved);
   EXPECT_TRUE(search.has_ended());
 }
 
@@ -127,7 +127,7 @@ TEST(BoundarySearch, FailedRunsAreUsedUpAndTeachNothing) {
   const auto first = search.next_round();
   for (int run = 0; run < 8; ++run) search.observe_failure();
   EXPECT_EQ(search.next_round().size(), 8U);
-  EXPECT_EQ(search.finding(), Finding::unresolved);
+  EXPECT_EQ(search.finding(), BoundaryFinding::unresolved);
   for (int run = 0; run < 8; ++run) search.observe_failure();
   EXPECT_TRUE(search.next_round().empty());
 }
@@ -142,7 +142,7 @@ TEST(BoundarySearch, CountsAreWholeNumbers) {
       search.observe(x, x > 23.5);
     }
   }
-  EXPECT_EQ(search.finding(), Finding::crossing);
+  EXPECT_EQ(search.finding(), BoundaryFinding::crossing);
   EXPECT_NEAR(search.estimate().place, 23.5, 1.5);
 }
 
