@@ -28,6 +28,7 @@ struct Arguments {
   bool quiet = false;
   std::optional<Precision> up_to{};
   std::optional<std::int64_t> collisions{};
+  std::optional<std::int64_t> groups{};
   double seconds = AdjudicationLimits().seconds;
 };
 
@@ -38,6 +39,7 @@ int adjudicate(const Arguments& arguments) {
                                 : case_from(arguments.file, arguments.overrides);
   AdjudicationLimits limits{.highest = arguments.up_to,
                             .collisions = arguments.collisions,
+                            .groups = arguments.groups,
                             .seconds = arguments.seconds,
                             .interrupt = &catch_signals()};
   if (!arguments.quiet && is_terminal()) {
@@ -77,6 +79,10 @@ void add_adjudicate(CLI::App& app, int& status) {
       .add_option("--collisions", arguments->collisions,
                   "most of each trial, after the run's hit; without it until the digits are spent "
                   "or the spheres have flown apart")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52));
+  command
+      .add_option("--groups", arguments->groups,
+                  "follow so many groups of hits, the first ones; without it all")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52));
   command.add_option("--seconds", arguments->seconds, "budget for all of it, in seconds")
       ->check(CLI::PositiveNumber)

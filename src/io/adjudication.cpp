@@ -120,6 +120,7 @@ std::string to_json(const Adjudication& adjudication) {
                   {"sentence", adjudication.sentence},
                   {"approaches", approaches},
                   {"groups_left_out", adjudication.left_out},
+                  {"groups_beyond", adjudication.beyond},
                   {"interrupted", adjudication.was_interrupted},
                   {"trials", trials}};
   return json.dump();

@@ -77,17 +77,22 @@ class Adjudicator {
   void adjudicate_run() {
     const std::vector<HitGroup> groups = groups_of_run<Dim, Real>();
     TrialRun<Dim, Real> run(values_);
-    for (std::size_t n = 0; n < groups.size(); ++n) {
-      if (is_over()) {
-        result_.left_out = static_cast<std::int64_t>(groups.size() - n);
-        return;
-      }
-      run.go({.collisions = std::max(beginning_of(groups, n), run.collisions())});
+    const auto count = static_cast<std::int64_t>(groups.size());
+    const std::int64_t asked = std::min(count, limits_.groups.value_or(count));
+    result_.beyond = count - asked;
+    result_.left_out = count;
+    for (std::size_t n = 0; static_cast<std::int64_t>(n) < asked; ++n) {
+      TrialEnd end = surroundings();
+      end.collisions = std::max(beginning_of(groups, n), run.collisions());
+      end.deadline = deadline_;
+      run.go(end);
+      result_.was_interrupted |= run.ended_by() == "interrupted";
+      if (is_over()) return;
       const Before before{groups[n], run.collisions(), significand_bits<Real>(), run.state()};
       announce_ = fmt::format("hits from collision {} on ({} of {})", groups[n].first_hit, n + 1,
                               groups.size());
-      follow(before);
-      if (n == 0) try_other_rules(before);
+      result_.left_out -= follow(before);
+      if (n == 0 && limits_.tries_other_rules) try_other_rules(before);
     }
   }
 
@@ -109,8 +114,9 @@ class Adjudicator {
   std::vector<HitGroup> groups_of_run() {
     TrialRun<Dim, Real> run(values_);
     run.gather_hits();
-    run.go({.collisions = values_.run.collisions.value_or(TrialEnd().collisions),
-            .interrupt = limits_.interrupt});
+    TrialEnd end = surroundings();
+    end.collisions = values_.run.collisions.value_or(end.collisions);
+    run.go(end);
     result_.was_interrupted = run.ended_by() == "interrupted";
     result_.hits = run.hits();
     auto groups = run.hit_groups();
@@ -137,7 +143,9 @@ class Adjudicator {
 
   /// Follows a group up the ladder, and judges what the highest precision has seen. Where that has
   /// used up its digits without a decision, and the user has not named it, twice as many are tried.
-  void follow(const Before& before) {
+  ///
+  /// \return  1; 0 where there was no time
+  int follow(const Before& before) {
     std::vector<FollowedGroup> trials;
     std::vector<JudgedApproach> judged;
     for (Precision top = highest_; !is_over(); top = Precision::digits(2 * digits_of(top))) {
@@ -147,14 +155,18 @@ class Adjudicator {
         trials.push_back(followed(before, precision, result_.rule));
         result_.was_interrupted |= trials.back().trial.ended_by == "interrupted";
       }
-      if (trials.empty()) return;  // the time has run out in between
+      if (trials.empty()) return 0;  // the time has run out in between
       judged = judge_group(before.group, trials);
       const bool may_go_on = !limits_.highest && 2 * digits_of(top) <= most_digits;
       if (!may_go_on || !wants_more_digits(trials.back())) break;
     }
     result_.approaches.insert(result_.approaches.end(), judged.begin(), judged.end());
-    if (!result_.trials.empty()) return;
-    for (const FollowedGroup& trial : trials) result_.trials.push_back(trial.trial);
+    if (trials.empty()) return 0;
+    const bool is_first = result_.trials.empty();
+    for (const FollowedGroup& trial : trials) {
+      if (is_first) result_.trials.push_back(trial.trial);
+    }
+    return 1;
   }
 
   static int digits_of(Precision precision) {
@@ -207,9 +219,9 @@ class Adjudicator {
     TrialRun<Dim, Real> trial = beginning<Dim, Real>(before, values);
     trial.keep_collisions();
     const bool is_highest = !(values.collision.precision < highest_);
-    TrialEnd end{.followed = before.group,
-                 .deadline = share_of_time(is_highest ? share_of_highest : share_of_others),
-                 .interrupt = limits_.interrupt};
+    TrialEnd end = surroundings();
+    end.followed = before.group;
+    end.deadline = share_of_time(is_highest ? share_of_highest : share_of_others);
     if (limits_.collisions) end.collisions = before.group.first_hit + *limits_.collisions;
     trial.go(end);
     return {.trial = trial.trial(),
@@ -217,6 +229,11 @@ class Adjudicator {
             .first_number = trial.kept().first_number,
             .rows = trial.kept().rows,
             .seen = approaches_seen(trial.kept(), trial.limit(), trial.spheres(), before.group)};
+  }
+
+  /// What ends a trial from outside.
+  TrialEnd surroundings() const {
+    return {.interrupt = limits_.interrupt, .on_look = limits_.on_look};
   }
 
   /// The moment at which a share of the time that is left will be over.
@@ -238,9 +255,13 @@ class Adjudicator {
         [](const JudgedApproach& a, const JudgedApproach& b) { return a.finding < b.finding; });
     result_.finding = strongest->finding;
     result_.sentence = strongest->sentence;
-    if (result_.left_out > 0) {
-      result_.sentence += fmt::format(
-          "; for {} more groups of hits there was no time (raise --seconds)", result_.left_out);
+    if (const std::int64_t late = result_.left_out - result_.beyond; late > 0) {
+      result_.sentence +=
+          fmt::format("; for {} more groups of hits there was no time (raise --seconds)", late);
+    }
+    if (result_.beyond > 0) {
+      result_.sentence += fmt::format("; {} more groups of hits were not asked for (--groups {})",
+                                      result_.beyond, limits_.groups.value_or(0));
     }
   }
 

@@ -15,9 +15,12 @@ namespace zenosphere {
 struct AdjudicationLimits {
   std::optional<Precision> highest{};        ///< none: digits100, and more while digits run out
   std::optional<std::int64_t> collisions{};  ///< of each trial, after the run's hit
+  std::optional<std::int64_t> groups{};      ///< of hits that are followed, the first ones
   double seconds = 120;
+  bool tries_other_rules = true;  ///< on the first group, in the run's own precision
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const std::string&)> on_trial{};  ///< called before each, with what it is
+  std::function<void()> on_look{};  ///< called some times a second; may set the interrupt
 };
 
 /// Physics or rounding? Finds the separation hits of a run, and follows each group of them, from a

@@ -129,12 +129,18 @@ bool TrialRun<Dim, Real>::is_over(const TrialEnd& end) {
 
 template <int Dim, class Real>
 std::string TrialRun<Dim, Real>::what_ends(const TrialEnd& end) {
+  const auto now = std::chrono::steady_clock::now();
+  if (end.on_look && now >= next_look_) {
+    constexpr std::chrono::milliseconds between_looks(20);  // prompt for people
+    end.on_look();
+    next_look_ = now + between_looks;
+  }
   if (end.interrupt && *end.interrupt) return "interrupted";
   if (arrest_.is_met()) return "arrest";
   if (const char* over = end_of_collisions(simulation_, driving_)) return over;
   if (simulation_.collisions() >= end.collisions) return "collisions";
   if (const char* late = end_of_time(simulation_, values_)) return late;
-  if (std::chrono::steady_clock::now() > end.deadline) return "budget";
+  if (now > end.deadline) return "budget";
   return end.followed ? what_ends(*end.followed) : "";
 }
 

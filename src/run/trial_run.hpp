@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -26,6 +27,7 @@ struct TrialEnd {
   std::optional<HitGroup> followed{};  ///< until its digits are spent, or it has flown apart
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
   const std::atomic<bool>* interrupt = nullptr;
+  std::function<void()> on_look{};  ///< called some times a second; may set the interrupt
 };
 
 /// A run that is watched by the criteria and recorded nowhere.
@@ -83,7 +85,8 @@ class TrialRun {
   double deepest_ = 0;    ///< decades
   double last_time_ = 0;  ///< of the last collision
   std::string ended_by_;
-  std::int64_t last_deep_ = 0;      ///< collision of the followed spheres
+  std::int64_t last_deep_ = 0;  ///< collision of the followed spheres
+  std::chrono::steady_clock::time_point next_look_{};
   std::int64_t rows_at_limit_ = 0;  ///< likewise
   std::optional<HitGroups> hit_groups_;
   std::optional<KeptCollisions<Real>> kept_;
