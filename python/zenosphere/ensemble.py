@@ -11,7 +11,7 @@ import numpy as np
 
 from .errors import InputError
 
-FORMAT_VERSION = 1
+FORMAT_VERSIONS = (1, 2)
 CRITERIA = ("separation", "arrest", "false positive", "open")
 CONDITIONS = {  # SQL: the run met it, within :limit collisions per sphere
     "separation": "COALESCE(separation_first_collision * scale <= :limit, 0)",
@@ -64,7 +64,7 @@ class Counts:
 class Ensemble:
     """A store, opened for reading only; a sweep may go on writing it.
 
-    path: of STORE.sqlite, format version 1 (docs/sweep-file.md)
+    path: of STORE.sqlite, format version 1 or 2 (docs/sweep-file.md)
     Raises InputError where it is no such store.
     """
 
@@ -115,8 +115,9 @@ class Ensemble:
     def _read_plan(self, store):
         version, self.seeds, self.program_version = store.execute(
             "SELECT format_version, seeds, program_version FROM sweep").fetchone()
-        if version != FORMAT_VERSION:
-            raise ValueError(f"format version {version}, this program reads {FORMAT_VERSION}")
+        if version not in FORMAT_VERSIONS:
+            raise ValueError(f"format version {version}, this program reads"
+                             f" {FORMAT_VERSIONS[0]} to {FORMAT_VERSIONS[-1]}")
         listed = store.execute('SELECT key, "values" FROM axis ORDER BY position').fetchall()
         if not listed:
             raise ValueError("no axis")

@@ -59,10 +59,14 @@ class Campaign {
   void take(const RunResult& result) {
     store_.record(result);
     if (std::holds_alternative<Dropped>(result.outcome)) return;
+    ++progress_.ended_here;
+    if (std::holds_alternative<Unchanged>(result.outcome)) {
+      --progress_.counts.to_adjudicate;
+      return;
+    }
     const bool is_failed = std::holds_alternative<Failure>(result.outcome);
     ++(is_failed ? progress_.counts.failed : progress_.counts.done);
     --progress_.counts.pending;
-    ++progress_.ended_here;
   }
 
   void report_if_due() {

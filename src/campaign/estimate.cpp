@@ -76,10 +76,11 @@ SweepPlan plan_of(const Sweep& sweep, const std::optional<std::string>& store,
   SweepPlan plan;
   if (store) {
     Database database(*store, Database::Access::read);
-    const StoredSweep stored = stored_sweep(database);
+    StoredSweep stored = stored_sweep(database);
     require_same_search(database, sweep);
     require_same(stored, sweep, *store);
-    plan.counts = run_counts(database);
+    stored.adjudicate = sweep.adjudicate;  // as the store will be extended
+    plan.counts = run_counts(database, stored);
     plan.counts.pending = sweep.runs() - plan.counts.done - plan.counts.failed;
     if (estimate_by_store(plan, database)) return plan;
   }

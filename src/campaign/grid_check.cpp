@@ -25,7 +25,7 @@ class Findings {
   void try_point(const std::vector<std::size_t>& coordinates) {
     if (lines_.size() >= most_lines) return;
     try {
-      case_of_run(sweep_.base, sweep_.stop, entries(coordinates));
+      require_digits(case_of_run(sweep_.base, sweep_.stop, entries(coordinates)));
     } catch (const InputError& error) {
       note(error.what());
     }
@@ -50,6 +50,18 @@ class Findings {
           {std::string(axis.key->table), std::string(axis.key->name), value.value, place, place});
     }
     return entries;
+  }
+
+  /// Notes where the runs have more digits than their adjudication may use.
+  void require_digits(const Case& values) {
+    if (!sweep_.adjudicate || !sweep_.adjudicate->up_to) return;
+    const Precision highest = *sweep_.adjudicate->up_to;
+    const Precision own = values.collision.precision;
+    if (!(highest < own)) return;
+    note(
+        fmt::format("{}: adjudicate.up_to = \"{}\" (runs are in {} already, and digits cannot be "
+                    "taken away); choose a higher one",
+                    sweep_.adjudicate->place, highest.word(), own.word()));
   }
 
   void note(const std::string& text) {

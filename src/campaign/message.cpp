@@ -13,18 +13,85 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+template <class T>
+std::optional<T> if_there(const Json& json, const char* name) {
+  return json.contains(name) ? std::optional(json[name].get<T>()) : std::nullopt;
+}
+
+Json json_of(const AdjudicationRequest& request) {
+  Json json = {{"seconds", request.seconds}};
+  if (request.groups) json["groups"] = *request.groups;
+  if (request.up_to) json["up_to"] = request.up_to->word();
+  if (request.collisions) json["collisions"] = *request.collisions;
+  return json;
+}
+
+AdjudicationRequest request_in(const Json& json) {
+  AdjudicationRequest request{.groups = if_there<std::int64_t>(json, "groups"),
+                              .seconds = json.at("seconds").get<double>(),
+                              .collisions = if_there<std::int64_t>(json, "collisions")};
+  if (json.contains("up_to")) {
+    request.up_to = Precision::from_word(json["up_to"].get<std::string>());
+  }
+  return request;
+}
+
+Json json_of(const AdjudicationResult& result) {
+  if (result.error) return {{"error", *result.error}};
+  Json cells = Json::array();
+  for (const Cell& cell : result.cells) {
+    const auto add = [&](const auto& value) { cells.push_back(value); };
+    if (const auto* integer = std::get_if<std::int64_t>(&cell)) {
+      add(*integer);
+    } else if (const auto* real = std::get_if<double>(&cell)) {
+      add(*real);
+    } else if (const auto* text = std::get_if<std::string>(&cell)) {
+      add(*text);
+    } else {
+      add(nullptr);
+    }
+  }
+  return {{"cells", cells}};
+}
+
+Cell cell_in(const Json& json) {
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
+  if (json.is_string()) return json.get<std::string>();
+  return {};
+}
+
+std::optional<AdjudicationResult> adjudication_in(const Json& json) {
+  if (!json.contains("adjudication")) return std::nullopt;
+  const Json& told = json["adjudication"];
+  AdjudicationResult result{.error = if_there<std::string>(told, "error")};
+  if (result.error) return result;
+  for (const Json& cell : told.at("cells")) result.cells.push_back(cell_in(cell));
+  return result;
+}
+
 }  // namespace
 
 std::string to_message(const TaskMessage& task) {
   Json json = {{"run", task.run}, {"case", task.case_text}};
-  if (task.wall_seconds) json["wall_seconds"] = *task.wall_seconds;
+  const RunRules& rules = task.rules;
+  if (rules.wall_seconds) json["wall_seconds"] = *rules.wall_seconds;
+  if (rules.adjudicate) json["adjudicate"] = json_of(*rules.adjudicate);
+  if (rules.done) {
+    json["done"] = Json::object();
+    if (rules.done->collisions) json["done"]["collisions"] = *rules.done->collisions;
+  }
   return dump(json);
 }
 
 TaskMessage task_from_message(const std::string& text) {
   const Json json = Json::parse(text);
   TaskMessage task{json.at("run").get<std::int64_t>(), json.at("case").get<std::string>(), {}};
-  if (json.contains("wall_seconds")) task.wall_seconds = json["wall_seconds"].get<double>();
+  task.rules.wall_seconds = if_there<double>(json, "wall_seconds");
+  if (json.contains("adjudicate")) task.rules.adjudicate = request_in(json["adjudicate"]);
+  if (json.contains("done")) {
+    task.rules.done = DoneRun{if_there<std::int64_t>(json["done"], "collisions")};
+  }
   return task;
 }
 
@@ -34,6 +101,8 @@ std::string to_message(const RunResult& result, int dimension) {
   if (const auto* summary = std::get_if<Summary>(&result.outcome)) {
     json["summary"] = to_json(*summary, dimension);
   }
+  if (std::holds_alternative<Unchanged>(result.outcome)) json["unchanged"] = true;
+  if (result.adjudication) json["adjudication"] = json_of(*result.adjudication);
   return dump(json);
 }
 
@@ -41,10 +110,12 @@ RunResult result_from_message(const std::string& text) {
   const Json json = Json::parse(text);
   const auto run = json.at("run").get<std::int64_t>();
   if (json.contains("error")) return {run, Failure{json["error"].get<std::string>()}};
+  if (json.contains("unchanged")) return {run, Unchanged{}, adjudication_in(json)};
   if (!json.contains("summary")) return {run, Dropped{}};
   try {
     return {run,
-            summary_from_json(json["summary"].get<std::string>(), json.at("dimension").get<int>())};
+            summary_from_json(json["summary"].get<std::string>(), json.at("dimension").get<int>()),
+            adjudication_in(json)};
   } catch (const std::exception& error) {
     return {run, Failure{error.what()}};
   }

@@ -12,7 +12,7 @@ namespace zenosphere {
 struct TaskMessage {
   std::int64_t run = 0;
   std::string case_text;  ///< resolved
-  std::optional<double> wall_seconds;
+  RunRules rules{};
 };
 
 /// JSON, for a program of the same version.

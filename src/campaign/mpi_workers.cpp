@@ -126,11 +126,11 @@ class Server {
     if (is_cancelled()) return to_message({task.run, Dropped{}}, 0);
     try {
       const Case values = parse_case(task.case_text, "case.toml", {});
-      const StopRule stop{std::nullopt, task.wall_seconds};
-      const RunResult result = result_of(task.run, values, stop, [this] { return is_cancelled(); });
+      const RunResult result =
+          result_of(task.run, values, task.rules, [this] { return is_cancelled(); });
       return to_message(result, values.system.dimension);
     } catch (const std::exception& error) {
-      return to_message({task.run, Failure{error.what()}}, 0);
+      return to_message(failed_result(task.run, task.rules, error.what()), 0);
     }
   }
 
@@ -179,11 +179,11 @@ std::size_t MpiWorkers::room() const {
 
 void MpiWorkers::submit(RunTask task) {
   ++unfinished_;
-  TaskMessage message{task.run, {}, setting_.stop.wall_seconds};
+  TaskMessage message{task.run, {}, setting_.rules(task)};
   try {
     message.case_text = resolved_toml(case_of_run(setting_.base, setting_.stop, task.overrides));
   } catch (const std::exception& error) {
-    results_.push_back({task.run, Failure{error.what()}});
+    results_.push_back(failed_result(task.run, message.rules, error.what()));
     return;
   }
   const auto least = std::min_element(tasks_of_.begin(), tasks_of_.end());

@@ -2,53 +2,112 @@
 
 #include <atomic>
 #include <exception>
+#include <utility>
 
+#include "campaign/adjudication_columns.hpp"
 #include "campaign/run_case.hpp"
+#include "run/adjudicate.hpp"
 #include "run/run.hpp"
+#include "run/stopwatch.hpp"
 
 namespace zenosphere {
 
 namespace {
 
+using Outcome = decltype(RunResult::outcome);
+constexpr const char* wall_time = "wall time";
+
 /// A run, with its own flag to end it.
-std::variant<Dropped, Failure, Summary> outcome_of(const Case& values, const StopRule& stop,
-                                                   const std::function<bool()>& is_cancelled) {
+Outcome outcome_of(const Case& values, const std::optional<double>& wall_seconds,
+                   const std::function<bool()>& is_cancelled) {
   std::atomic<bool> is_to_end{false};
   bool is_too_long = false;
   RunOptions options;
   options.interrupt = &is_to_end;
   options.on_progress = [&](const Progress& progress) {
-    is_too_long = stop.wall_seconds && progress.wall_seconds > *stop.wall_seconds;
+    is_too_long = wall_seconds && progress.wall_seconds > *wall_seconds;
     if (is_too_long || is_cancelled()) is_to_end = true;
   };
   Summary summary = run_case(values, options);
   if (summary.self_check) return Failure{*summary.self_check};
   if (summary.ended_by == "signal") {
     if (!is_too_long) return Dropped{};
-    summary.ended_by = "wall time";
+    summary.ended_by = wall_time;
   }
   return summary;
 }
 
+/// Adjudicates the hits of a run; nothing where that was cancelled.
+///
+/// \param collisions  that the run did, where its wall time ended it: its hits are those up to
+/// there
+std::optional<AdjudicationResult> adjudication_of(Case values,
+                                                  const std::optional<std::int64_t>& collisions,
+                                                  const AdjudicationRequest& request,
+                                                  const std::function<bool()>& is_cancelled) {
+  if (collisions) values.run.collisions = *collisions;
+  std::atomic<bool> is_to_end{false};
+  const auto look = [&] {
+    if (is_cancelled()) is_to_end = true;
+  };
+  const AdjudicationLimits limits{.highest = request.up_to,
+                                  .collisions = request.collisions,
+                                  .groups = request.groups,
+                                  .seconds = request.seconds,
+                                  .tries_other_rules = false,  // of no column
+                                  .interrupt = &is_to_end,
+                                  .on_look = look};
+  try {
+    const Stopwatch stopwatch;
+    TimedAdjudication timed{.found = adjudicate(values, limits)};
+    timed.seconds = stopwatch.seconds();
+    if (!is_to_end) return AdjudicationResult{.cells = adjudication_cells(timed)};
+  } catch (const std::exception& error) {
+    // One that was interrupted before it saw a hit says that there are none.
+    if (!is_to_end) return AdjudicationResult{.error = error.what()};
+  }
+  return std::nullopt;
+}
+
+/// What is to be adjudicated of an outcome, if anything.
+std::optional<DoneRun> run_with_hits(const Outcome& outcome) {
+  const auto* summary = std::get_if<Summary>(&outcome);
+  if (!summary || summary->separation.hits == 0) return std::nullopt;
+  const bool is_cut_off = summary->ended_by == wall_time;
+  return DoneRun{is_cut_off ? std::optional(summary->collisions) : std::nullopt};
+}
+
 }  // namespace
 
-RunResult result_of(std::int64_t run, const Case& values, const StopRule& stop,
+RunResult result_of(std::int64_t run, const Case& values, const RunRules& rules,
                     const std::function<bool()>& is_cancelled) {
   try {
-    return {run, outcome_of(values, stop, is_cancelled)};
+    RunResult result{run, Unchanged{}};
+    if (!rules.done) result.outcome = outcome_of(values, rules.wall_seconds, is_cancelled);
+    const auto done = rules.done ? rules.done : run_with_hits(result.outcome);
+    if (!rules.adjudicate || !done) return result;
+    result.adjudication =
+        adjudication_of(values, done->collisions, *rules.adjudicate, is_cancelled);
+    return result.adjudication ? result : RunResult{run, Dropped{}};
   } catch (const std::exception& error) {
-    return {run, Failure{error.what()}};
+    return failed_result(run, rules, error.what());
   }
 }
 
 RunResult result_of(const RunTask& task, const RunSetting& setting,
                     const std::function<bool()>& is_cancelled) {
+  const RunRules rules = setting.rules(task);
   try {
     const Case values = case_of_run(setting.base, setting.stop, task.overrides);
-    return result_of(task.run, values, setting.stop, is_cancelled);
+    return result_of(task.run, values, rules, is_cancelled);
   } catch (const std::exception& error) {
-    return {task.run, Failure{error.what()}};
+    return failed_result(task.run, rules, error.what());
   }
+}
+
+RunResult failed_result(std::int64_t run, const RunRules& rules, const std::string& error) {
+  if (rules.done) return {run, Unchanged{}, AdjudicationResult{.error = error}};
+  return {run, Failure{error}};
 }
 
 }  // namespace zenosphere

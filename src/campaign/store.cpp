@@ -4,8 +4,10 @@
 
 #include <array>
 
+#include "campaign/adjudication_columns.hpp"
 #include "campaign/grid_rows.hpp"
 #include "campaign/run_columns.hpp"
+#include "campaign/stored_adjudication.hpp"
 #include "io/build_info.hpp"
 #include "model/errors.hpp"
 
@@ -28,6 +30,14 @@ std::string done_sql() {
   return sql + " WHERE run = ?";
 }
 
+std::string adjudicated_sql() {
+  std::string sql = "UPDATE run SET error = ?";
+  for (const AdjudicationColumn& column : adjudication_columns()) {
+    sql += fmt::format(", {} = ?", column.name);
+  }
+  return sql + " WHERE run = ?";
+}
+
 /// Throws where the pages of a file do not fit together.
 void require_whole(Database& database) {
   const std::string verdict = cell_text(database.value("PRAGMA quick_check(1)"));
@@ -40,11 +50,16 @@ void require_whole(Database& database) {
 
 }  // namespace
 
-RunCounts run_counts(Database& database) {
+RunCounts run_counts(Database& database, const StoredSweep& sweep) {
   RunCounts counts;
-  Statement query = database.statement("SELECT status, count(*) FROM run GROUP BY status");
+  Statement query = database.statement(
+      fmt::format("SELECT status, count(*), count(*) FILTER (WHERE {}), count(*) FILTER (WHERE "
+                  "status = 'done' AND error IS NOT NULL) FROM run GROUP BY status",
+                  waits_for_adjudication(sweep)));
   while (query.step()) {
     const std::string status = text_in(query.cell(0), database.name());
+    counts.to_adjudicate += integer_in(query.cell(2), database.name());
+    counts.failed_adjudications += integer_in(query.cell(3), database.name());
     auto& count = status == "done"     ? counts.done
                   : status == "failed" ? counts.failed
                                        : counts.pending;
@@ -57,16 +72,24 @@ StoredRuns::StoredRuns(Database& database, const StoredSweep& sweep)
     : name_(database.name()),
       keys_(keys_of(sweep)),
       pending_(database.statement(
-          fmt::format("SELECT run, seed{} FROM run WHERE run >= ? AND status = 'pending' ORDER BY "
-                      "run LIMIT ?",
-                      axis_columns(keys_)))),
+          fmt::format("SELECT run, seed{}, status, CASE ended_by WHEN 'wall time' THEN collisions "
+                      "END FROM run WHERE run >= ? AND (status = 'pending' OR {}) ORDER BY run "
+                      "LIMIT ?",
+                      axis_columns(keys_), waits_for_adjudication(sweep)))),
       single_(database.statement(
           fmt::format("SELECT run, seed{} FROM run WHERE run = ?", axis_columns(keys_)))) {}
 
 std::vector<RunTask> StoredRuns::pending(std::int64_t from, std::int64_t count) {
   std::vector<RunTask> tasks;
   pending_.start(std::array<Cell, 2>{from, count});
-  while (pending_.step()) tasks.push_back(task_in_row(pending_));
+  const auto status = static_cast<int>(keys_.size()) + 2;
+  while (pending_.step()) {
+    RunTask& task = tasks.emplace_back(task_in_row(pending_));
+    if (text_in(pending_.cell(status), name_) == "pending") continue;
+    task.done.emplace();
+    const Cell collisions = pending_.cell(status + 1);
+    if (const auto* far = std::get_if<std::int64_t>(&collisions)) task.done->collisions = *far;
+  }
   pending_.reset();
   return tasks;
 }
@@ -110,6 +133,7 @@ SweepStore::SweepStore(const std::filesystem::path& path, const Sweep& sweep)
   sweep_ = stored_sweep(database_);
   runs_.emplace(database_, *sweep_);
   done_ = database_.statement(done_sql());
+  adjudicated_ = database_.statement(adjudicated_sql());
   failed_ = database_.statement(
       "UPDATE run SET status = 'failed', error = ?, program_version = ?, git_hash = ? WHERE run = "
       "?");
@@ -121,6 +145,7 @@ void SweepStore::take_over(const Sweep& sweep) {
   require_same_search(database_, sweep);
   require_same(before, sweep, name());
   Transaction transaction(database_);
+  upgrade(database_, before);
   add_rows(database_, sweep, &before);
   update_sweep(database_, sweep);
   transaction.commit();
@@ -130,6 +155,7 @@ void SweepStore::forget_failures() {
   database_.execute(
       "UPDATE run SET status = 'pending', error = NULL, program_version = NULL, git_hash = NULL "
       "WHERE status = 'failed'");
+  database_.execute("UPDATE run SET error = NULL WHERE status = 'done' AND error IS NOT NULL");
 }
 
 void SweepStore::record(const RunResult& result) {
@@ -143,11 +169,23 @@ void SweepStore::record(const RunResult& result) {
                                      std::string(build_info::git_hash), result.run});
     return;
   }
-  const auto& summary = std::get<Summary>(result.outcome);
+  if (const auto* summary = std::get_if<Summary>(&result.outcome)) {
+    cells_.clear();
+    for (const ResultColumn& column : result_columns()) cells_.push_back(column.cell(*summary));
+    cells_.emplace_back(result.run);
+    done_->run(cells_);
+  }
+  if (result.adjudication) record_adjudication(result);
+}
+
+void SweepStore::record_adjudication(const RunResult& result) {
+  const AdjudicationResult& adjudication = *result.adjudication;
   cells_.clear();
-  for (const ResultColumn& column : result_columns()) cells_.push_back(column.cell(summary));
+  cells_.push_back(or_null(adjudication.error));
+  cells_.insert(cells_.end(), adjudication.cells.begin(), adjudication.cells.end());
+  cells_.resize(1 + adjudication_columns().size());
   cells_.emplace_back(result.run);
-  done_->run(cells_);
+  adjudicated_->run(cells_);
 }
 
 SweepStore::~SweepStore() {
@@ -155,6 +193,7 @@ SweepStore::~SweepStore() {
   runs_.reset();
   done_.reset();
   failed_.reset();
+  adjudicated_.reset();
   try {  // a log that stays is read as well as before, in folders where its index can be made
     database_.execute("PRAGMA busy_timeout = 0");
     database_.execute("PRAGMA journal_mode = DELETE");

@@ -22,10 +22,15 @@ struct RunCounts {
   std::int64_t done = 0;
   std::int64_t failed = 0;
   std::int64_t pending = 0;
+  std::int64_t to_adjudicate = 0;         ///< of those done: their hits are to be adjudicated
+  std::int64_t failed_adjudications = 0;  ///< of those done
+
+  /// Not ended yet.
+  std::int64_t left() const { return pending + to_adjudicate; }
   std::int64_t all() const { return done + failed + pending; }
 };
 
-RunCounts run_counts(Database& database);
+RunCounts run_counts(Database& database, const StoredSweep& sweep);
 
 /// The runs of a store in the order of their numbers, as tasks.
 class StoredRuns {
@@ -33,7 +38,7 @@ class StoredRuns {
   /// \param database  outlives this
   StoredRuns(Database& database, const StoredSweep& sweep);
 
-  /// At most `count` runs that are still to be done, from the number `from` on.
+  /// At most `count` runs that are still to be done or adjudicated, from the number `from` on.
   std::vector<RunTask> pending(std::int64_t from, std::int64_t count);
 
   /// The run of that number. Throws InputError where there is none.
@@ -66,7 +71,7 @@ class SweepStore {
   /// The rounds of a search; the store and the sweep must outlive them.
   BoundaryRounds rounds(const Sweep& sweep) { return {database_, sweep}; }
 
-  /// Makes runs that have failed pending again.
+  /// Makes runs that have failed pending again, and adjudications that have.
   void forget_failures();
 
   std::vector<RunTask> pending(std::int64_t from, std::int64_t count) {
@@ -81,12 +86,13 @@ class SweepStore {
   void commit_if_due();
 
   const StoredSweep& sweep() const { return *sweep_; }
-  RunSetting setting() const { return {sweep_->base, sweep_->stop}; }
-  RunCounts counts() { return run_counts(database_); }
+  RunSetting setting() const { return {sweep_->base, sweep_->stop, sweep_->adjudicate}; }
+  RunCounts counts() { return run_counts(database_, *sweep_); }
   const std::string& name() const { return database_.name(); }
 
  private:
   void take_over(const Sweep& sweep);
+  void record_adjudication(const RunResult& result);
 
   StoreLock lock_;
   Database database_;
@@ -94,6 +100,7 @@ class SweepStore {
   std::optional<StoredRuns> runs_;
   std::optional<Statement> done_;
   std::optional<Statement> failed_;
+  std::optional<Statement> adjudicated_;
   std::optional<Transaction> transaction_;
   std::optional<Stopwatch> since_begin_;
   std::vector<Cell> cells_;

@@ -9,7 +9,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "campaign/adjudication_columns.hpp"
 #include "campaign/run_columns.hpp"
+#include "campaign/stored_adjudication.hpp"
 #include "io/build_info.hpp"
 
 namespace zenosphere {
@@ -39,6 +41,9 @@ std::string run_table(const std::vector<SweepAxis>& axes) {
   }
   sql += ", status TEXT NOT NULL, error TEXT";
   for (const ResultColumn& column : result_columns()) {
+    sql += fmt::format(", {} {}", column.name, column.type);
+  }
+  for (const AdjudicationColumn& column : adjudication_columns()) {
     sql += fmt::format(", {} {}", column.name, column.type);
   }
   return sql + ')';
@@ -125,13 +130,15 @@ void compare(const std::map<std::string, std::string>& before,
   }
 }
 
+template <class Number>
+std::string text_or_absent(const std::optional<Number>& number) {
+  return number ? fmt::format("{}", *number) : "absent";
+}
+
 std::map<std::string, std::string> settings(std::int64_t master_seed, const StopRule& stop) {
-  const auto text = [](const std::optional<double>& number) {
-    return number ? fmt::format("{}", *number) : "absent";
-  };
   return {{"sweep.master_seed", fmt::format("{}", master_seed)},
-          {"stop.collisions_per_sphere", text(stop.collisions_per_sphere)},
-          {"stop.wall_seconds", text(stop.wall_seconds)}};
+          {"stop.collisions_per_sphere", text_or_absent(stop.collisions_per_sphere)},
+          {"stop.wall_seconds", text_or_absent(stop.wall_seconds)}};
 }
 
 template <class Axes, class Path>
@@ -146,6 +153,9 @@ std::vector<std::string> differences(const StoredSweep& stored, const Sweep& swe
   std::vector<std::string> lines;
   compare(settings(stored.master_seed, stored.stop), settings(sweep.master_seed, sweep.stop),
           lines);
+  if (stored.has_findings) {
+    compare(settings(stored.adjudicate), settings(sweep.adjudicate), lines);
+  }
   const std::string before =
       list_of(stored.axes, [](const StoredAxis& axis) { return axis.key->path(); });
   const std::string now = list_of(sweep.axes, [](const SweepAxis& axis) { return axis.path(); });
@@ -200,22 +210,29 @@ void create_tables(Database& database, const Sweep& sweep) {
       "TEXT NOT NULL, master_seed INTEGER NOT NULL, seeds INTEGER NOT NULL, "
       "stop_collisions_per_sphere REAL, stop_wall_seconds REAL, program_version TEXT NOT NULL, "
       "git_hash TEXT NOT NULL, created TEXT NOT NULL)");
+  add_request_columns(database);
   database.execute(
       "CREATE TABLE axis (position INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, \"values\" TEXT "
       "NOT NULL)");
   database.execute(run_table(sweep.axes));
   const std::string now = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  database.statement("INSERT INTO sweep VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+  database
+      .statement(
+          "INSERT INTO sweep (format_version, sweep_file, base_case, master_seed, seeds, "
+          "stop_collisions_per_sphere, stop_wall_seconds, program_version, git_hash, created) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .run(std::array<Cell, 10>{
           store_format_version, sweep.text, sweep.base_text, sweep.master_seed, sweep.seeds,
           or_null(sweep.stop.collisions_per_sphere), or_null(sweep.stop.wall_seconds),
           std::string(build_info::program_version), std::string(build_info::git_hash), now});
+  write_request(database, sweep.adjudicate);
   write_axes(database, sweep);
 }
 
 void update_sweep(Database& database, const Sweep& sweep) {
   database.statement("UPDATE sweep SET sweep_file = ?, seeds = ?")
       .run(std::array<Cell, 2>{sweep.text, sweep.seeds});
+  write_request(database, sweep.adjudicate);
   write_axes(database, sweep);
 }
 
@@ -229,24 +246,27 @@ StoredSweep stored_sweep(Database& database) {
     throw OutputError(name + ": is a database of another program; choose another file");
   }
   const std::int64_t version = database.integer("PRAGMA user_version");
-  if (version != store_format_version) {
+  if (version < oldest_store_version || version > store_format_version) {
     throw OutputError(
-        fmt::format("{}: is a store of format {} (this program reads {}); use the "
+        fmt::format("{}: is a store of format {} (this program reads {} to {}); use the "
                     "program that wrote it",
-                    name, version, store_format_version));
+                    name, version, oldest_store_version, store_format_version));
   }
   Statement query = database.statement(
       "SELECT sweep_file, base_case, master_seed, seeds, stop_collisions_per_sphere, "
       "stop_wall_seconds, program_version, git_hash FROM sweep");
   if (!query.step()) reject_damaged(name, "it does not say of which sweep it is");
-  return {.sweep_file = text_in(query.cell(0), name),
-          .base = {case_format::entries_of(text_in(query.cell(1), name), name), name},
-          .axes = stored_axes(database),
-          .seeds = integer_in(query.cell(3), name),
-          .master_seed = integer_in(query.cell(2), name),
-          .stop = {real_or_nothing(query.cell(4)), real_or_nothing(query.cell(5))},
-          .program_version = text_in(query.cell(6), name),
-          .git_hash = text_in(query.cell(7), name)};
+  StoredSweep sweep{.sweep_file = text_in(query.cell(0), name),
+                    .base = {case_format::entries_of(text_in(query.cell(1), name), name), name},
+                    .axes = stored_axes(database),
+                    .seeds = integer_in(query.cell(3), name),
+                    .master_seed = integer_in(query.cell(2), name),
+                    .stop = {real_or_nothing(query.cell(4)), real_or_nothing(query.cell(5))},
+                    .format_version = version,
+                    .program_version = text_in(query.cell(6), name),
+                    .git_hash = text_in(query.cell(7), name)};
+  read_request(database, sweep);
+  return sweep;
 }
 
 void require_same(const StoredSweep& stored, const Sweep& sweep, const std::string& name) {

@@ -11,7 +11,8 @@
 namespace zenosphere {
 
 /// The format of a store, and the marks by which SQLite tells files of different programs.
-inline constexpr std::int64_t store_format_version = 1;
+inline constexpr std::int64_t store_format_version = 2;
+inline constexpr std::int64_t oldest_store_version = 1;           ///< without adjudications
 inline constexpr std::int64_t store_application_id = 0x5A454E4F;  // "ZENO"
 
 /// An axis as a store has it.
@@ -28,6 +29,9 @@ struct StoredSweep {
   std::int64_t seeds = 0;
   std::int64_t master_seed = 0;
   StopRule stop;
+  std::optional<AdjudicationRequest> adjudicate{};
+  bool has_findings = false;  ///< some run has been adjudicated
+  std::int64_t format_version = store_format_version;
   std::string program_version;  ///< of the program that began it
   std::string git_hash;
 };
@@ -52,7 +56,7 @@ StoredSweep stored_sweep(Database& database);
 std::vector<std::string> json_values(const SweepAxis& axis);
 
 /// Throws an InputError that tells what of a sweep is other than in the store `name`, if anything
-/// is but what extends it: more seeds, more values on an axis.
+/// is but what extends it: more seeds, more values on an axis, an adjudication.
 void require_same(const StoredSweep& stored, const Sweep& sweep, const std::string& name);
 
 /// The names of the axis columns, quoted, each with a comma and a space before it.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/adjudication_request.hpp"
 #include "campaign/axis.hpp"
 #include "campaign/boundary_request.hpp"
 #include "io/case_draft.hpp"
@@ -37,6 +38,7 @@ struct Sweep {
   std::int64_t master_seed = 1;
   StopRule stop{};
   std::optional<BoundaryRequest> boundary{};  ///< a search: its axis is the last, seeds are 0
+  std::optional<AdjudicationRequest> adjudicate{};
 
   std::int64_t points() const;
 

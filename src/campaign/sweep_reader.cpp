@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "campaign/adjudication_reader.hpp"
 #include "campaign/axis_reader.hpp"
 #include "campaign/boundary_reader.hpp"
 #include "campaign/grid_check.hpp"
@@ -21,7 +22,8 @@ using case_format::TreeNode;
 
 namespace {
 
-constexpr std::array<std::string_view, 5> tables{"sweep", "case", "axes", "stop", "boundary"};
+constexpr std::array<std::string_view, 6> tables{"sweep", "case",     "axes",
+                                                 "stop",  "boundary", "adjudicate"};
 
 /// The largest integer of TOML and SQLite.
 constexpr double most_integer = 0x1p63;
@@ -37,6 +39,7 @@ struct Told {
   std::vector<SweepAxis> axes;
   StopRule stop;
   std::optional<BoundaryRequest> search;
+  std::optional<AdjudicationRequest> adjudicate;
 };
 
 void read_sweep_table(const TreeNode& node, Told& told, Problems& problems) {
@@ -76,6 +79,8 @@ void read_node(const TreeNode& node, Told& told, Problems& problems) {
     read_stop_table(node, told, problems);
   } else if (node.name == "boundary") {
     told.boundary = &node;
+  } else if (node.name == "adjudicate") {
+    told.adjudicate = adjudication_of(node, problems);
   } else {
     told.inline_case = &node;
   }
@@ -100,6 +105,11 @@ void check_whole(const Told& told, const std::string& name, Problems& problems) 
   if (told.seeds > 0 && told.boundary) {
     problems.add(told.boundary->key_place,
                  "boundary (a search decides how many runs it needs); remove sweep.seeds");
+  }
+  if (told.adjudicate && told.boundary) {
+    problems.add(told.boundary->key_place,
+                 "boundary (a search asks for the criteria only, not for findings); remove "
+                 "[adjudicate], or give a grid under [axes]");
   }
   if (!has_seeds(told) && !told.boundary) {
     problems.add(absent,
@@ -185,7 +195,8 @@ Sweep parse_sweep(std::string text, const std::string& name) {
               .seeds = told.seeds,
               .master_seed = told.master_seed,
               .stop = told.stop,
-              .boundary = told.search};
+              .boundary = told.search,
+              .adjudicate = told.adjudicate};
   check_grid(sweep);
   return sweep;
 }

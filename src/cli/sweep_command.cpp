@@ -72,7 +72,7 @@ void tell_of_other_program(const SweepStore& store) {
 }
 
 int exit_code_of(const SweepProgress& progress) {
-  if (progress.counts.pending > 0) return exit_code::interrupted;
+  if (progress.counts.left() > 0) return exit_code::interrupted;
   return progress.counts.failed > 0 ? exit_code::internal_error : exit_code::done;
 }
 

@@ -23,8 +23,22 @@ std::string values_text(const SweepAxis& axis) {
 }
 
 std::string counts_json(const RunCounts& counts) {
-  return fmt::format("\"runs\": {}, \"done\": {}, \"failed\": {}, \"pending\": {}", counts.all(),
-                     counts.done, counts.failed, counts.pending);
+  return fmt::format(
+      "\"runs\": {}, \"done\": {}, \"failed\": {}, \"pending\": {}, \"to_adjudicate\": {}, "
+      "\"failed_adjudications\": {}",
+      counts.all(), counts.done, counts.failed, counts.pending, counts.to_adjudicate,
+      counts.failed_adjudications);
+}
+
+/// What comes on top of the runs: how long it takes is not known before there are hits.
+std::string adjudication_line(const AdjudicationRequest& request, std::int64_t done) {
+  std::string text = fmt::format(
+      "  {:<32}comes on top: {} of each run with hits, at most {} s a run", "adjudication",
+      request.groups ? fmt::format("the first {} groups of hits", *request.groups)
+                     : std::string("all groups of hits"),
+      request.seconds);
+  if (done > 0) text += fmt::format("; {} of the runs done have hits to adjudicate", done);
+  return text + '\n';
 }
 
 }  // namespace
@@ -35,7 +49,7 @@ std::string sweep_line(const SweepProgress& progress) {
                                  counts.all(), progress.running, counts.failed);
   if (progress.ended_here > 0) {
     const double seconds_each = progress.wall_seconds / static_cast<double>(progress.ended_here);
-    const double left = seconds_each * static_cast<double>(counts.pending);
+    const double left = seconds_each * static_cast<double>(counts.left());
     line += fmt::format("  {} left", duration_text(left));
   }
   return line;
@@ -48,8 +62,15 @@ std::string progress_text(const SweepProgress& progress, const std::string& stor
     text +=
         fmt::format(", {} failed (column error; --retry-failed runs them again)", counts.failed);
   }
+  if (counts.failed_adjudications > 0) {
+    text += fmt::format(", {} could not be adjudicated (column error; --retry-failed tries again)",
+                        counts.failed_adjudications);
+  }
+  if (counts.to_adjudicate > 0) {
+    text += fmt::format(", {} to be adjudicated", counts.to_adjudicate);
+  }
   text += fmt::format("; {} in {:.3g} s", progress.ended_here, progress.wall_seconds);
-  if (counts.pending > 0) text += "; interrupted: the same command goes on";
+  if (counts.left() > 0) text += "; interrupted: the same command goes on";
   return text + '\n';
 }
 
@@ -79,6 +100,7 @@ std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t wor
   text += fmt::format("  {:<32}{} on {} {}, at {:.3g} s a run {}\n", "time, at most about",
                       duration_text(plan.seconds(workers)), workers, kind, plan.seconds_per_run,
                       plan.source);
+  if (sweep.adjudicate) text += adjudication_line(*sweep.adjudicate, plan.counts.to_adjudicate);
   return text;
 }
 
@@ -94,9 +116,11 @@ std::string plan_json(const Sweep& sweep, const SweepPlan& plan, std::size_t wor
   }
   return fmt::format(
       "{{\"axes\": {{{}}}, \"points\": {}, \"seeds\": {}, {}, \"workers\": {}, "
-      "\"seconds_per_run\": {}, \"seconds\": {}, \"source\": {}}}",
+      "\"seconds_per_run\": {}, \"seconds\": {}, \"source\": {}, "
+      "\"adjudication_seconds_per_run\": {}}}",
       axes, sweep.points(), sweep.seeds, counts_json(plan.counts), workers, plan.seconds_per_run,
-      plan.seconds(workers), case_format::in_quotes(plan.source));
+      plan.seconds(workers), case_format::in_quotes(plan.source),
+      sweep.adjudicate ? fmt::format("{}", sweep.adjudicate->seconds) : std::string("null"));
 }
 
 }  // namespace zenosphere

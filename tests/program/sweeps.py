@@ -20,7 +20,7 @@ ENDLESS = SWEEP.replace("collisions_per_sphere = 10", "collisions_per_sphere = 1
     .replace("[0.2, 0.9]", "[0.95, 0.99]")
 
 
-def rows(path, unequal=("wall_seconds",)):
+def rows(path, unequal=("wall_seconds", "adjudication_seconds")):
     """All rows of a store as dicts, without what differs between equal runs."""
     with sqlite3.connect(path) as store:
         store.row_factory = sqlite3.Row

@@ -45,10 +45,49 @@ TEST(Message, BringsFailuresAndDroppedRuns) {
 }
 
 TEST(Message, BringsATask) {
-  const TaskMessage task = task_from_message(to_message(TaskMessage{9, "[system]\n", 0.1}));
+  const TaskMessage sent{9, "[system]\n", {.wall_seconds = 0.1}};
+  const TaskMessage task = task_from_message(to_message(sent));
   EXPECT_EQ(task.run, 9);
   EXPECT_EQ(task.case_text, "[system]\n");
-  EXPECT_EQ(task.wall_seconds, 0.1);
+  EXPECT_EQ(task.rules.wall_seconds, 0.1);
+  EXPECT_FALSE(task.rules.adjudicate || task.rules.done);
+}
+
+TEST(Message, BringsWhatIsToBeAdjudicated) {
+  TaskMessage sent{9, "[system]\n"};
+  sent.rules.adjudicate = {
+      .groups = 3, .seconds = 0.1, .up_to = Precision::digits(250), .collisions = 7};
+  sent.rules.done = DoneRun{12};
+  const RunRules rules = task_from_message(to_message(sent)).rules;
+  ASSERT_TRUE(rules.adjudicate && rules.done);
+  EXPECT_EQ(rules.adjudicate->groups, 3);
+  EXPECT_EQ(rules.adjudicate->seconds, 0.1);
+  EXPECT_EQ(rules.adjudicate->up_to, Precision::digits(250));
+  EXPECT_EQ(rules.adjudicate->collisions, 7);
+  EXPECT_EQ(rules.done->collisions, 12);
+  sent.rules = {.adjudicate = AdjudicationRequest{}, .done = DoneRun{}};
+  const RunRules bare = task_from_message(to_message(sent)).rules;
+  EXPECT_TRUE(bare.done && !bare.done->collisions);
+  EXPECT_TRUE(!bare.adjudicate->groups && !bare.adjudicate->up_to && !bare.adjudicate->collisions);
+}
+
+TEST(Message, BringsFindingsWithARunAndWithoutOne) {
+  const AdjudicationResult sent{
+      {std::string("singular"), Cell(), std::int64_t{1} << 53, 1.0 / 3, 2.0}, {}};
+  Summary summary;
+  summary.outcome = "finished";
+  summary.ended_by = "collisions";
+  summary.verdict = "none";
+  const RunResult whole = result_from_message(to_message({4, summary, sent}, 2));
+  EXPECT_TRUE(std::holds_alternative<Summary>(whole.outcome));
+  ASSERT_TRUE(whole.adjudication);
+  EXPECT_EQ(whole.adjudication->cells, sent.cells);
+  const RunResult alone = result_from_message(to_message({4, Unchanged{}, sent}, 2));
+  EXPECT_TRUE(std::holds_alternative<Unchanged>(alone.outcome));
+  EXPECT_EQ(alone.adjudication->cells, sent.cells);
+  const AdjudicationResult failed{{}, "no hit"};
+  EXPECT_EQ(result_from_message(to_message({4, Unchanged{}, failed}, 2)).adjudication->error,
+            "no hit");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "../io/temporary_folder.hpp"
+#include "campaign/adjudication_columns.hpp"
 #include "campaign/seeds.hpp"
 #include "model/errors.hpp"
 #include "sweep_texts.hpp"
@@ -38,6 +39,28 @@ class SweepStoreTest : public testing::Test {
     return rows;
   }
 
+  /// status|collisions|finding|groups left out|error
+  std::string row_of(std::int64_t run) const {
+    Database database(path(), Database::Access::read);
+    return cell_text(database.value(
+        "SELECT status || '|' || collisions || '|' || coalesce(adjudication_finding, '') || '|' || "
+        "coalesce(adjudication_left_out, '') || '|' || coalesce(error, '') FROM run WHERE run = " +
+        std::to_string(run)));
+  }
+
+  /// Takes from the store what its first format did not have.
+  void make_first_format() const {
+    Database database(path(), Database::Access::write);
+    for (const AdjudicationColumn& column : adjudication_columns()) {
+      database.execute("ALTER TABLE run DROP COLUMN " + std::string(column.name));
+    }
+    for (const char* name : {"groups", "seconds", "up_to", "collisions"}) {
+      database.execute(std::string("ALTER TABLE sweep DROP COLUMN adjudicate_") + name);
+    }
+    database.execute("UPDATE sweep SET format_version = 1");
+    database.execute("PRAGMA user_version = 1");
+  }
+
   std::string refusal(const std::string& text) const {
     try {
       store(text);
@@ -56,6 +79,21 @@ Summary some_summary() {
   summary.verdict = "none";
   summary.collisions = 320;
   return summary;
+}
+
+const std::string judging_sweep = small_sweep + "[adjudicate]\ngroups = 1\n";
+
+Summary with_hits() {
+  Summary summary = some_summary();
+  summary.separation.hits = 2;
+  return summary;
+}
+
+AdjudicationResult some_findings() {
+  Adjudication found;
+  found.left_out = 7;
+  found.finding = Finding::singular;
+  return {.cells = adjudication_cells({found, 0.5})};
 }
 
 TEST_F(SweepStoreTest, HasARowForEveryRunWithTheReplicaOutermost) {
@@ -185,8 +223,90 @@ TEST_F(SweepStoreTest, IsNoFileOfAnotherProgram) {
 
 TEST_F(SweepStoreTest, OfANewerFormatIsRefused) {
   store();
-  Database(path(), Database::Access::write).execute("PRAGMA user_version = 2");
-  EXPECT_NE(refusal(small_sweep).find("is a store of format 2"), std::string::npos);
+  Database(path(), Database::Access::write).execute("PRAGMA user_version = 3");
+  EXPECT_NE(refusal(small_sweep).find("is a store of format 3"), std::string::npos);
+}
+
+TEST_F(SweepStoreTest, KeepsFindingsBesideTheRun) {
+  SweepStore opened = store(judging_sweep);
+  opened.record({1, with_hits(), some_findings()});
+  opened.commit();
+  EXPECT_EQ(row_of(1), "done|320|singular|7|");
+  EXPECT_EQ(opened.counts().left(), 7);
+}
+
+TEST_F(SweepStoreTest, KeepsARunWhoseAdjudicationFailedWithTheReason) {
+  SweepStore opened = store(judging_sweep);
+  opened.record({1, with_hits(), AdjudicationResult{{}, "adjudication: no"}});
+  opened.commit();
+  EXPECT_EQ(row_of(1), "done|320|||adjudication: no");
+  EXPECT_EQ(opened.counts().failed_adjudications, 1);
+  EXPECT_EQ(opened.counts().to_adjudicate, 0);
+  opened.forget_failures();
+  EXPECT_EQ(opened.counts().to_adjudicate, 1);
+}
+
+TEST_F(SweepStoreTest, HandsOutRunsWithHitsToBeAdjudicatedLater) {
+  {
+    SweepStore opened = store();
+    opened.record({0, some_summary()});
+    opened.record({1, with_hits()});
+    Summary cut_off = with_hits();
+    cut_off.ended_by = "wall time";
+    opened.record({2, cut_off});
+    opened.commit();
+    EXPECT_EQ(opened.counts().to_adjudicate, 0);
+  }
+  SweepStore opened = store(judging_sweep);
+  EXPECT_EQ(opened.counts().to_adjudicate, 2);
+  const auto tasks = opened.pending(0, 3);  // run 0 has no hit
+  ASSERT_EQ(tasks.size(), 3U);
+  EXPECT_TRUE(tasks[0].run == 1 && tasks[0].done && !tasks[0].done->collisions);
+  EXPECT_TRUE(tasks[1].run == 2 && tasks[1].done && tasks[1].done->collisions == 320);
+  EXPECT_TRUE(tasks[2].run == 3 && !tasks[2].done);
+  opened.record({1, Unchanged{}, some_findings()});
+  opened.commit();
+  EXPECT_EQ(row_of(1), "done|320|singular|7|");
+  EXPECT_EQ(opened.counts().to_adjudicate, 1);
+}
+
+TEST_F(SweepStoreTest, WithFindingsKeepsItsAdjudication) {
+  const std::string other = replaced(judging_sweep, "groups = 1", "groups = 2");
+  store(judging_sweep);
+  EXPECT_EQ(refusal(other), "accepted");  // nothing has been adjudicated yet
+  {
+    SweepStore opened = store(judging_sweep);
+    opened.record({1, with_hits(), some_findings()});
+    opened.commit();
+  }
+  EXPECT_NE(refusal(other).find("\n  adjudicate.groups is 2 (1 in the store)"), std::string::npos);
+  EXPECT_NE(refusal(replaced(judging_sweep, "groups", "up_to = \"quad\"\ngroups"))
+                .find("\n  adjudicate.up_to is quad (absent in the store)"),
+            std::string::npos);
+  EXPECT_NE(refusal(small_sweep).find("\n  [adjudicate] is absent (there in the store)"),
+            std::string::npos);
+  EXPECT_EQ(refusal(judging_sweep), "accepted");
+}
+
+TEST_F(SweepStoreTest, OfTheFirstFormatIsReadAndExtendedInPlace) {
+  {
+    SweepStore opened = store();
+    opened.record({1, with_hits()});
+    opened.commit();
+  }
+  make_first_format();
+  {
+    Database database(path(), Database::Access::read);
+    const StoredSweep old = stored_sweep(database);
+    EXPECT_EQ(run_counts(database, old).done, 1);
+    EXPECT_EQ(StoredRuns(database, old).run(1).run, 1);
+  }
+  SweepStore opened = store(judging_sweep);
+  EXPECT_EQ(opened.sweep().format_version, 2);
+  EXPECT_EQ(row_of(1), "done|320|||");
+  opened.record({1, Unchanged{}, some_findings()});
+  opened.commit();
+  EXPECT_EQ(row_of(1), "done|320|singular|7|");
 }
 
 TEST_F(SweepStoreTest, ThatIsDamagedIsRefused) {

@@ -156,5 +156,48 @@ TEST(SweepFile, FindsPointsOfTheGridThatAreNoCase) {
   EXPECT_EQ(told.substr(0, 33), "s.toml:6:25: system.spheres = 33 ");
 }
 
+TEST(SweepFile, SaysHowHitsAreAdjudicated) {
+  EXPECT_FALSE(parse_sweep(small_sweep, "s.toml").adjudicate);
+  const auto plain = parse_sweep(small_sweep + "[adjudicate]\n", "s.toml").adjudicate;
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->seconds, 120);
+  EXPECT_FALSE(plain->groups || plain->up_to || plain->collisions);
+  const auto full = parse_sweep(small_sweep +
+                                    "[adjudicate]\ngroups = 3\nseconds = 0.5\n"
+                                    "up_to = \"digits250\"\ncollisions = 9\n",
+                                "s.toml")
+                        .adjudicate;
+  EXPECT_EQ(full->groups, 3);
+  EXPECT_EQ(full->seconds, 0.5);
+  EXPECT_EQ(full->up_to, Precision::digits(250));
+  EXPECT_EQ(full->collisions, 9);
+}
+
+TEST(SweepFile, RefusesAnAdjudicationThatMakesNoSense) {
+  const auto told = [](const std::string& line) {
+    return refusal("[axes]", "[adjudicate]\n" + line + "\n[axes]");
+  };
+  EXPECT_EQ(told("groups = 0").substr(0, 32), "s.toml:5:10: adjudicate.groups =");
+  EXPECT_EQ(told("seconds = 0").substr(0, 33), "s.toml:5:11: adjudicate.seconds =");
+  EXPECT_EQ(told("up_to = \"triple\""),
+            "s.toml:5:9: adjudicate.up_to = \"triple\" (must be \"double\", \"extended\", \"quad\" "
+            "or \"digitsN\" with N from 20 to 10000)");
+  EXPECT_EQ(told("group = 3"), "s.toml:5:1: unknown key adjudicate.group; did you mean groups?");
+  EXPECT_EQ(refusal(replaced(small_sweep, "[axes]", "[adjudicate]\nup_to = \"quad\"\n[axes]") +
+                    "[case.collision]\nprecision = \"digits100\"\n"),
+            "s.toml:5:9: adjudicate.up_to = \"quad\" (runs are in digits100 already, and digits "
+            "cannot be taken away); choose a higher one");
+}
+
+TEST(SweepFile, SearchesWithoutAdjudicating) {
+  const std::string boundary =
+      "[boundary]\naxis = \"drive.shear_rate\"\ncriterion = \"arrest\"\nfrom = 1\nto = 2\n"
+      "resolution = 0.1\n[adjudicate]\n[axes]";
+  const std::string text = replaced(replaced(small_sweep, "seeds = 2\n", ""), "[axes]", boundary);
+  EXPECT_EQ(refusal(text),
+            "s.toml:3:2: boundary (a search asks for the criteria only, not for findings); remove "
+            "[adjudicate], or give a grid under [axes]");
+}
+
 }  // namespace
 }  // namespace zenosphere
