@@ -19,13 +19,26 @@ using Objection = std::optional<std::string>;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Cuts the digits off the front of a text.
+/// Cuts the digits off the front of a text, with the underscores that TOML takes between two.
 std::string_view next_digits(std::string_view& text) {
-  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
-  const auto count = static_cast<std::size_t>(end - text.begin());
+  std::size_t count = 0;
+  const auto is_digit_at = [&](std::size_t at) { return at < text.size() && is_digit(text[at]); };
+  while (is_digit_at(count) ||
+         (count > 0 && is_digit_at(count + 1) && is_digit(text[count - 1]) && text[count] == '_')) {
+    ++count;
+  }
   const std::string_view digits = text.substr(0, count);
   text.remove_prefix(count);
   return digits;
+}
+
+bool is_nought(char c) { return c == '0' || c == '_'; }
+
+/// Digits as messages show them: cut where nobody reads on.
+std::string shortened(std::string_view digits) {
+  constexpr std::size_t longest = 60;
+  const std::string_view begin = digits.substr(0, longest);
+  return fmt::format("{}{}", begin, begin.size() < digits.size() ? "..." : "");
 }
 
 bool cut(std::string_view& text, std::string_view marks) {
@@ -43,17 +56,18 @@ struct Decimal {
 
   bool is_integer() const { return point.empty() && exponent.empty(); }
   bool is_zero() const {
-    const auto is_nought = [](char c) { return c == '0'; };
     return std::all_of(whole.begin(), whole.end(), is_nought) &&
            std::all_of(fraction.begin(), fraction.end(), is_nought);
   }
-  /// As TOML writes it.
+  /// As TOML writes it, without underscores.
   std::string text() const {
     std::string_view digits = whole;
-    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
-    return fmt::format("{}{}{}{}{}", is_negative ? "-" : "", digits.empty() ? "0" : digits,
-                       point.empty() ? "" : ".",
-                       !point.empty() && fraction.empty() ? "0" : fraction, exponent);
+    digits.remove_prefix(std::min(digits.find_first_not_of("0_"), digits.size()));
+    std::string text = fmt::format("{}{}{}{}{}", is_negative ? "-" : "",
+                                   digits.empty() ? "0" : digits, point.empty() ? "" : ".",
+                                   !point.empty() && fraction.empty() ? "0" : fraction, exponent);
+    std::erase(text, '_');
+    return text;
   }
 };
 
@@ -80,9 +94,11 @@ Objection integer_out_of_range(const Decimal& decimal) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc()) return std::nullopt;
-  return fmt::format("(integers are in [{}, {}]); write {:.17g} if a real number will do",
-                     std::numeric_limits<std::int64_t>::min(),
-                     std::numeric_limits<std::int64_t>::max(), std::strtod(text.c_str(), nullptr));
+  const double real = std::strtod(text.c_str(), nullptr);
+  return fmt::format(
+      "(integers are in [{}, {}]){}", std::numeric_limits<std::int64_t>::min(),
+      std::numeric_limits<std::int64_t>::max(),
+      std::isinf(real) ? "" : fmt::format("; write {:.17g} if a real number will do", real));
 }
 
 Objection real_out_of_range(const Decimal& decimal) {
@@ -98,7 +114,7 @@ Objection real_out_of_range(const Decimal& decimal) {
 
 Objection wrong_form(const Decimal& decimal) {
   const auto write = [&](std::string_view why) {
-    return fmt::format("({}); write {}", why, decimal.text());
+    return fmt::format("({}); write {}", why, shortened(decimal.text()));
   };
   if (decimal.point == ",") return write("needs a point, not a comma");
   if (decimal.whole.empty()) return write("needs a digit in front of the point");
@@ -129,15 +145,14 @@ std::size_t end_of_word(std::string_view text, std::size_t begin, bool in_bracke
 }  // namespace
 
 Objection number_objection(std::string_view word) {
-  constexpr std::size_t longest = 400;  // what is longer is no number that anybody has written
-  const auto decimal = word.size() <= longest ? decimal_in(word) : std::nullopt;
+  const auto decimal = decimal_in(word);
   if (!decimal) return std::nullopt;
   Objection objection = wrong_form(*decimal);
   if (!objection) {
     objection =
         decimal->is_integer() ? integer_out_of_range(*decimal) : real_out_of_range(*decimal);
   }
-  return objection ? Objection(fmt::format("{} {}", word, *objection)) : std::nullopt;
+  return objection ? Objection(fmt::format("{} {}", shortened(word), *objection)) : std::nullopt;
 }
 
 std::optional<WrongNumber> first_wrong_number(std::string_view text) {

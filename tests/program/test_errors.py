@@ -7,6 +7,8 @@ import subprocess
 import h5py
 import pytest
 
+from sweeps import SWEEP
+
 
 def blame(program, *words, code=2):
     """The only line of standard error of a command that fails."""
@@ -64,6 +66,18 @@ def test_wrong_override_is_blamed_by_its_words(program, override, words):
     line = blame(program, "run", "case.toml", "--set", override)
     assert line.startswith(f"--set {override}: ")
     assert all(word in line for word in words), line
+
+
+def test_number_with_underscores_is_not_read_as_zero_wherever_it_stands(program):
+    # Ten times 1e-400, in a case, an override, a start and the axis of a sweep.
+    wrong = "1_0e-400 (real numbers other than 0 are at least 4.94e-324)"
+    assert wrong in blame(program, "check", "case.toml", "--set", "start.positions=[[1, 1_0e-400]]")
+    assert wrong in blame(program, "check", "case.toml", "--set", "collapse.gap_threshold=1_0e-400")
+    sweep = program.folder / "sweep.toml"
+    sweep.write_text(SWEEP.replace("0.2, 0.9", "1_0e-400, 0.9"))
+    assert wrong in blame(program, "sweep", "sweep.toml")
+    rewrite(program, "restitution = 0.9", "restitution = 1_0e-400")
+    assert wrong in blame(program, "check", "case.toml")
 
 
 def test_wrong_case_leaves_no_output_file(program):

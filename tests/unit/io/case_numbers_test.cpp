@@ -1,5 +1,6 @@
 #include "io/case_numbers.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "unit/io/case_texts.hpp"
@@ -39,6 +40,37 @@ TEST(CaseNumbers, WhatTomlDoesNotTakeIsSaidAsItWould) {
   EXPECT_EQ(number_objection("00.5"), "00.5 (begins with 0); write 0.5");
 }
 
+TEST(CaseNumbers, UnderscoresBetweenDigitsAreNoPartOfANumber) {
+  for (const char* small : {"1_0e-400", "-1_0.0_1e-4_00", "1e-4_0_0"}) {
+    const auto wrong = first_wrong_number(fmt::format("x = [{}]", small));
+    ASSERT_TRUE(wrong) << small;
+    EXPECT_NE(wrong->objection.find("e-4"), std::string::npos) << wrong->objection;
+  }
+  EXPECT_EQ(number_objection("1_0e40_0"), "1_0e40_0 (real numbers are at most 1.8e+308)");
+  EXPECT_EQ(number_objection(".1_5"), ".1_5 (needs a digit in front of the point); write 0.15");
+  EXPECT_EQ(number_objection("0_7"), "0_7 (begins with 0); write 7");
+  EXPECT_TRUE(number_objection("99_999_999_999_999_999_999"));
+  for (const char* right :
+       {"1_000", "-1_0.2_5e-1_0", "0.0_0", "0e-4_00", "9_223372036854775_807"}) {
+    EXPECT_FALSE(number_objection(right)) << right;
+  }
+  for (const char* wrong : {"1__0", "_1", "1_", "1_.0", "1._0", "1e_5", "1_e5", "1__0e-400"}) {
+    EXPECT_FALSE(number_objection(wrong)) << wrong << ": toml++ says what is wrong";
+  }
+}
+
+TEST(CaseNumbers, ANumberOfAnyLengthIsLookedAt) {
+  const std::string small = "0." + std::string(1000, '0') + "1";
+  EXPECT_EQ(number_objection(small),
+            fmt::format("{}... (real numbers other than 0 are at least 4.94e-324); write 0 or a "
+                        "larger one",
+                        small.substr(0, 60)));
+  EXPECT_EQ(
+      number_objection(std::string(1000, '9')),
+      std::string(60, '9') + "... (integers are in [-9223372036854775808, 9223372036854775807])");
+  EXPECT_FALSE(number_objection("0." + std::string(1000, '3')));
+}
+
 TEST(CaseNumbers, WhatIsNoDecimalNumberIsLeftToToml) {
   for (const char* other : {"true", "inf", "nan", "0x1F", "1_000", "2020-01-01", "07:32:00", "-",
                             ".", "1e", "O.5", "1.2.3", ""}) {
@@ -65,6 +97,15 @@ TEST(CaseNumbers, AWrongNumberOfAFileIsNamedWithItsPlace) {
             "e.toml:5:15: .9 (needs a digit in front of the point); write 0.9");
   EXPECT_EQ(problems_of(replaced(cooling_case, "= 0.9", "= 0,9")),
             "e.toml:5:15: 0,9 (needs a point, not a comma); write 0.9");
+}
+
+TEST(CaseNumbers, AWrongNumberWithUnderscoresIsNamedWithItsPlace) {
+  EXPECT_EQ(problems_of(replaced(cooling_case, "= 0.9", "= 1_0e-400")),
+            "e.toml:5:15: 1_0e-400 (real numbers other than 0 are at least 4.94e-324); write 0 or "
+            "a larger one");
+  EXPECT_EQ(objection(cooling_case, "start.positions=[[1, 2_0e-400, 3]]"),
+            "start.positions = 2_0e-400 (real numbers other than 0 are at least 4.94e-324); write "
+            "0 or a larger one");
 }
 
 TEST(CaseNumbers, AWrongNumberOfAnOverrideIsNamedWithItsKey) {
