@@ -61,7 +61,9 @@ class Rows {
       frame.positions[frame.positions.size() - origin_.size() + axis] -= origin_[axis];
     }
     append(columns_.velocity, frame.velocities);
-    for (const auto& fixed : columns_.fixed) require(fixed);
+    for (const auto& [name, column, expected] : columns_.fixed) {
+      xyz::require_unit(name, number_at(column), expected, lines_);
+    }
     // X is the element without a name, whose mass is 1.
     const bool has_mass = columns_.has_masses || words_.front() == "X";
     if (columns_.has_momenta && !has_mass) frame.needs_masses = true;
@@ -94,16 +96,6 @@ class Rows {
                                   span.first + n + 1, number, dimension_));
       }
     }
-  }
-
-  void require(const xyz::Columns::Fixed& fixed) const {
-    constexpr double equal = 1e-9;  // files in text often have ten digits
-    const double number = number_at(fixed.column);
-    if (std::abs(number - fixed.value) <= equal) return;
-    lines_.reject(
-        fmt::format("{} = {} (spheres have {}: diameter and mass are the units); give "
-                    "the file in them",
-                    fixed.name, number, fixed.value));
   }
 
   const xyz::Columns& columns_;

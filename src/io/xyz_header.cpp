@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "io/spelling.hpp"
 #include "io/start_overlap.hpp"
 
 namespace zenosphere::xyz {
@@ -46,20 +47,28 @@ std::optional<std::string> next_value(std::string_view& text) {
   return value;
 }
 
+/// Calls `visit(key in small letters, value)` for what a line says, in its order.
+template <class Visit>
+void for_each_key(std::string_view line, Visit visit) {
+  for (;;) {
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    if (line.empty()) return;
+    const std::string name = lower_case(line.substr(0, line.find_first_of(" \t=")));
+    line.remove_prefix(name.size());
+    if (auto value = next_value(line)) visit(name, *std::move(value));
+  }
+}
+
 /// The value of a key, or nothing. Throws where the line has it twice.
 std::optional<std::string> value_of(std::string_view key, std::string_view line,
                                     const Lines& lines) {
   std::optional<std::string> found;
-  for (;;) {
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    if (line.empty()) return found;
-    const std::string name = lower_case(line.substr(0, line.find_first_of(" \t=")));
-    line.remove_prefix(name.size());
-    auto value = next_value(line);
-    if (!value || name != key) continue;
+  for_each_key(line, [&](const std::string& name, std::string value) {
+    if (name != key) return;
     if (found) lines.reject(fmt::format("has {} twice; keep one", key));
     found = std::move(value);
-  }
+  });
+  return found;
 }
 
 /// The words of a value; brackets and commas part them too.
@@ -212,13 +221,50 @@ Columns columns_in(std::string_view comment, int dimension, const Lines& lines) 
   return columns;
 }
 
+/// Whether one letter makes a name that of a key which is read, long enough to be meant.
+const char* misspelt(const std::string& name) {
+  for (const char* key : {"Lattice", "Origin", "Properties"}) {
+    if (edit_distance(name, lower_case(key)) == 1) return key;
+  }
+  return nullptr;
+}
+
+/// Nothing that a frame says of all its spheres is passed over: it agrees with those of a case, or
+/// is refused.
+void require_agreement(std::string_view comment, Columns& columns, const Lines& lines) {
+  for_each_key(comment, [&](const std::string& name, const std::string& value) {
+    for (const auto& [fixed, expected] : fixed_names) {
+      if (fixed == name) require_unit(name, finite_number(value, lines), expected, lines);
+    }
+    columns.has_masses = columns.has_masses || is_one_of(name, mass_names);
+    if (name == "pos" || is_one_of(name, velocity_names) || is_one_of(name, momentum_names)) {
+      lines.reject(
+          fmt::format("has {} for all spheres (needs columns); name them in Properties", name));
+    }
+    if (const char* key = misspelt(name)) {
+      lines.reject(fmt::format("has an unknown key {}; did you mean {}?", shown(name), key));
+    }
+  });
+}
+
 }  // namespace
 
+void require_unit(const std::string& name, double number, double expected, const Lines& lines) {
+  constexpr double equal = 1e-9;  // files in text often have ten digits
+  if (std::abs(number - expected) <= equal) return;
+  lines.reject(
+      fmt::format("{} = {} (spheres have {}: diameter and mass are the units); give the file in "
+                  "them",
+                  name, number, expected));
+}
+
 Header header_of(std::string_view comment, int dimension, const Lines& lines) {
-  return {.sides = sides_in(comment, dimension, lines),
-          .origin = origin_in(comment, dimension, lines),
-          .is_periodic = periodic_in(comment, lines),
-          .columns = columns_in(comment, dimension, lines)};
+  Header header{.sides = sides_in(comment, dimension, lines),
+                .origin = origin_in(comment, dimension, lines),
+                .is_periodic = periodic_in(comment, lines),
+                .columns = columns_in(comment, dimension, lines)};
+  require_agreement(comment, header.columns, lines);
+  return header;
 }
 
 }  // namespace zenosphere::xyz

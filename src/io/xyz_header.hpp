@@ -46,7 +46,15 @@ struct Header {
 /// \param comment    the line
 /// \param dimension  D
 /// \param lines      for the messages: the comment is the line read last
-/// Throws InputError where one of them is wrong or there twice, or where there is no Lattice.
+/// Other keys are skipped, unless they say something of the spheres that does not fit.
+/// Throws InputError where one of them is wrong, nearly spelt right or there twice, or where there
+/// is no Lattice.
 Header header_of(std::string_view comment, int dimension, const Lines& lines);
+
+/// Throws InputError, at the line read last, unless a number is that of the spheres of a case.
+///
+/// \param name      `radius`
+/// \param expected  what it must be, to 1e-9
+void require_unit(const std::string& name, double number, double expected, const Lines& lines);
 
 }  // namespace zenosphere::xyz
