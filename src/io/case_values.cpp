@@ -1,58 +1,18 @@
+// What a key of a case takes.
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <type_traits>
 #include <utility>
 
+#include "io/case_choices.hpp"
 #include "io/case_table.hpp"
-#include "io/case_words.hpp"
 #include "io/spelling.hpp"
 
 namespace zenosphere::case_format {
 namespace {
-
-template <class Choice>
-struct Word {
-  std::string_view text;
-  Choice choice;
-};
-template <class Choice>
-Word(const char*, Choice) -> Word<Choice>;  // clang 14 does not deduce it for an aggregate
-
-constexpr std::array arrangement_words{
-    Word{"fcc", Arrangement::fcc}, Word{"random", Arrangement::random},
-    Word{"given", Arrangement::given}, Word{"file", Arrangement::file}};
-constexpr std::array drive_words{Word{"none", DriveKind::none}, Word{"shear", DriveKind::shear},
-                                 Word{"random", DriveKind::random}};
-constexpr std::array axis_words{Word{"x", Axis::x}, Word{"y", Axis::y}, Word{"z", Axis::z}};
-constexpr std::array overlap_words{
-    Word{"rewind", OverlapRule::rewind}, Word{"immediate", OverlapRule::immediate},
-    Word{"guarded", OverlapRule::guarded}, Word{"stop", OverlapRule::stop}};
-constexpr std::array law_words{Word{"constant", RestitutionLaw::constant},
-                               Word{"viscoelastic", RestitutionLaw::viscoelastic}};
-constexpr std::array log_words{Word{"all", CollisionLog::all}, Word{"window", CollisionLog::window},
-                               Word{"none", CollisionLog::none}};
-
-const auto& words_of(Arrangement) { return arrangement_words; }
-const auto& words_of(DriveKind) { return drive_words; }
-const auto& words_of(Axis) { return axis_words; }
-const auto& words_of(OverlapRule) { return overlap_words; }
-const auto& words_of(RestitutionLaw) { return law_words; }
-const auto& words_of(CollisionLog) { return log_words; }
-
-template <class Choice>
-const char* word_for(Choice choice) {
-  const auto& words = words_of(choice);
-  const auto found = std::find_if(words.begin(), words.end(),
-                                  [choice](const auto& word) { return word.choice == choice; });
-  assert(found != words.end());
-  return found->text.data();  // a literal
-}
 
 /// Why a value cannot be stored; empty if it was.
 using Objection = std::optional<std::string>;
@@ -254,47 +214,6 @@ Objection store_in(std::optional<Held>& slot, const Value& value, const Range& r
   return objection;
 }
 
-std::optional<std::string> text_of(const std::vector<double>& numbers) {
-  if (numbers.empty()) return std::nullopt;
-  std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : ", ") + real_text(number);
-  return '[' + text + ']';
-}
-
-std::optional<std::string> text_of(const std::vector<std::vector<double>>& rows) {
-  if (rows.empty()) return std::nullopt;
-  std::string text = "[\n";
-  for (const auto& row : rows) text += fmt::format("  {},\n", text_of(row).value_or("[]"));
-  return text + ']';
-}
-
-/// What is too small for a TOML reader's `double` stands in quotes.
-std::optional<std::string> text_of(const GapThreshold& threshold) {
-  return threshold.fits_double() ? real_text(threshold.nearest_double())
-                                 : in_quotes(threshold.text());
-}
-
-template <class Held>
-std::optional<std::string> text_of(const Held& held) {
-  if constexpr (std::is_same_v<Held, Precision>) return in_quotes(held.word());
-  if constexpr (std::is_same_v<Held, std::string>) {
-    return held.empty() ? std::nullopt : std::optional(in_quotes(held));
-  }
-  if constexpr (std::is_same_v<Held, double>) return real_text(held);
-  if constexpr (std::is_arithmetic_v<Held>) return fmt::format("{}", held);
-  if constexpr (std::is_enum_v<Held>) {
-    for (const auto& word : words_of(held)) {
-      if (word.choice == held) return in_quotes(word.text);
-    }
-  }
-  return std::nullopt;
-}
-
-template <class Held>
-std::optional<std::string> text_of(const std::optional<Held>& held) {
-  return held ? text_of(*held) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<std::string> store(const Key& key, const Value& value, Case& values) {
@@ -302,16 +221,4 @@ std::optional<std::string> store(const Key& key, const Value& value, Case& value
   return std::visit(store_value, key.slot(values));
 }
 
-std::optional<std::string> toml_text(const Key& key, Case& values) {
-  if (!key.exists_in(values)) return std::nullopt;
-  return std::visit([](const auto* slot) { return text_of(*slot); }, key.slot(values));
-}
-
 }  // namespace zenosphere::case_format
-
-namespace zenosphere {
-
-std::string word(Precision precision) { return precision.word(); }
-const char* word(OverlapRule rule) { return case_format::word_for(rule); }
-
-}  // namespace zenosphere

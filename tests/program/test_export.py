@@ -4,13 +4,13 @@ import os
 import re
 import subprocess
 import sys
-import warnings
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
 
 from recorded import Recorded, distances, sheared_cell
+from viewers import collection, in_ase, in_mdanalysis, in_vtk, package
 
 SHEAR_RATE = 2.0  # of the small case
 SIDE = (np.pi * 108 / (6 * 0.3)) ** (1 / 3)
@@ -23,13 +23,6 @@ WALLED = {**PLANE, "drive.kind": "none", "drive.shear_rate": 0, "walls.axis": "y
 SINGLE = 1e-6  # MDAnalysis keeps numbers of up to 6 diameters in 24 bits, of which it adds some
 
 
-def package(name):
-    """A package of Debian that reads the files; scripts/test installs it."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of modules that later Pythons will not have
-        return pytest.importorskip(name, reason=f"{name} is not installed; scripts/test does that")
-
-
 @pytest.fixture
 def export(program):
     """Exports the file of a run in a format; the path of what was written."""
@@ -40,48 +33,6 @@ def export(program):
         return target
 
     return exported
-
-
-def in_ase(path, file_format, **options):
-    package("ase")
-    import ase.io
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return ase.io.read(path, index=":", format=file_format, **options)
-
-
-def in_mdanalysis(path, file_format, spheres, **options):
-    analysis = package("MDAnalysis")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        universe = analysis.Universe.empty(spheres)
-        universe.load_new(str(path), format=file_format, **options)
-    return universe
-
-
-def in_vtk(path):
-    """A frame in VTK: points, arrays by their names, field data by their names."""
-    vtk = package("vtkmodules.vtkIOXML")
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    reader = vtk.vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    assert reader.GetErrorCode() == 0
-    data = reader.GetOutput()
-
-    def arrays(group):
-        return {group.GetArrayName(n): vtk_to_numpy(group.GetArray(n))
-                for n in range(group.GetNumberOfArrays())}
-
-    assert data.GetNumberOfVerts() == data.GetNumberOfPoints() == data.GetNumberOfCells()
-    return (vtk_to_numpy(data.GetPoints().GetData()), arrays(data.GetPointData()),
-            arrays(data.GetFieldData()))
-
-
-def collection(path):
-    """Times and files of a .pvd."""
-    entries = ElementTree.parse(path).getroot().findall("./Collection/DataSet")
-    return [(float(entry.get("timestep")), path.parent / entry.get("file")) for entry in entries]
 
 
 def telling(run):
