@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+from decimal import Decimal
 from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parent
@@ -20,13 +21,20 @@ def program():
     return path
 
 
+def written(value):
+    """A value as TOML: a number, a Decimal with all its digits, a text, true/false, or a list."""
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(written(each) for each in value) + "]"
+    return str(value) if isinstance(value, Decimal) else json.dumps(value)
+
+
 def overrides(changes):
     """{"run.time": 3} as the words of the command line, `--set run.time=3`.
 
-    changes: key -> number, text, true/false or nested list of them; JSON writes these as TOML does
+    changes: key -> number, Decimal, text, true/false or nested list of them
     """
     return [word for key, value in changes.items()
-            for word in ("--set", f"{key}={json.dumps(value)}")]
+            for word in ("--set", f"{key}={written(value)}")]
 
 
 def summary(case, changes, output=None):

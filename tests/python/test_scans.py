@@ -1,6 +1,7 @@
 """What the scan scripts of examples/ compute, without running the program."""
 
 import sys
+from decimal import Decimal, localcontext
 from pathlib import Path
 
 import numpy as np
@@ -9,9 +10,11 @@ import pytest
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 sys.path.insert(0, str(EXAMPLES))
 
+import contact_words  # noqa: E402
 import scan_random_acceleration as acceleration  # noqa: E402
 import scan_anatomy as anatomy  # noqa: E402
 import scan_contact_duration as duration  # noqa: E402
+import scan_four_rods as four_rods  # noqa: E402
 import scan_rods as rods  # noqa: E402
 import scan_shear as shear  # noqa: E402
 import scan_three_balls as balls  # noqa: E402
@@ -22,6 +25,11 @@ import scanning  # noqa: E402
 def test_overrides_are_written_as_toml():
     assert scanning.overrides({"run.time": 3, "start.positions": [[1, 2.5]], "a.b": True}) == [
         "--set", "run.time=3", "--set", "start.positions=[[1, 2.5]]", "--set", "a.b=true"]
+
+
+def test_decimals_are_written_with_all_their_digits():
+    place = Decimal("11.030009726984624")
+    assert scanning.written([10, place]) == "[10, 11.030009726984624]"
 
 
 def test_missing_program_is_said_with_what_to_do(monkeypatch):
@@ -139,3 +147,63 @@ def test_least_chain_is_three_rods_below_the_threshold_of_three_rods():
 
 def test_run_without_a_hit_has_a_row_of_dashes():
     assert anatomy.cells(0.9, 1, None) == ["0.9", "1", "no hit"] + ["–"] * 9
+
+
+def test_contact_turns_its_gap_and_closes_its_neighbours():
+    # e = 0.2: gap b closes at 1, opens at 0.2, and a and c close by (1 + e) / 2 = 0.6 more
+    after = contact_words.contact(1, [0.5, -1.0, 2.0], 0.2)
+    assert after == pytest.approx([-0.1, 0.2, 1.4])
+    assert contact_words.before_contact(1, after, 0.2) == pytest.approx([0.5, -1.0, 2.0])
+
+
+def test_word_is_named_up_to_rotation_and_mirror_image():
+    assert contact_words.canonical([1, 0, 1, 2, 1, 2]) == "ababcb"
+    assert contact_words.canonical([2, 1, 2, 1, 0, 1]) == "ababcb"
+    assert contact_words.name("abababcbcbcb") == "(ab)^3(cb)^3"
+    assert contact_words.name("ab") == "ab" and contact_words.name("ababcb") == "ababcb"
+
+
+def test_long_alternation_inside_a_round_is_not_taken_for_a_word():
+    # Ends with the (ab)^8 of a round (ab)^8 (cb)^8: eight repetitions of ab are not enough.
+    rounds = contact_words.places("ab" * 8 + "cb" * 8) * 8
+    assert contact_words.eventual_word(rounds[:32 * 7 + 16]) == "ab" * 8 + "cb" * 8
+    assert contact_words.eventual_word(rounds[:32 * 5 + 16]) is None
+
+
+def test_windows_of_stable_words_end_at_the_known_restitutions():
+    assert four_rods.window(2)[1] == pytest.approx(3 - 2 * np.sqrt(2), abs=1e-9)
+    assert four_rods.window(3)[1] == pytest.approx(5 - 2 * np.sqrt(6), abs=1e-9)
+
+
+@pytest.mark.parametrize("restitution, word", [(0.15, "ababcbcb"), (0.098, "abababcbcbcb"),
+                                               (0.111, None), (0.05, "ab")])
+def test_scaled_rods_come_to_the_stable_word_or_to_none(restitution, word):
+    order = contact_words.scaled_contacts([0.3, 0.8, 0.5], [-0.7, -0.2, -0.9], restitution, 900)
+    assert contact_words.eventual_word(order[:600 if word == "ab" else 900]) == word
+
+
+def test_unstable_pattern_is_held_until_its_error_has_grown():
+    growth = four_rods.eigenvalues("ababcb", 0.1)[1] / four_rods.eigenvalues("ababcb", 0.1)[2]
+    with localcontext() as context:
+        context.prec = 130
+        gaps, rates = four_rods.pattern_start("ababcb", Decimal("0.1"))
+        held = [contact_words.rounds_held(contact_words.exact_contacts(
+                    [gaps[0] + Decimal(10) ** -power, *gaps[1:]], rates, Decimal("0.1"), 300),
+                    "ababcb") for power in (20, 60)]
+    assert held[0] > 10
+    assert held[1] - held[0] == pytest.approx(40 / np.log10(growth), abs=1)
+
+
+def test_errors_grow_where_no_word_repeats_and_shrink_where_one_does():
+    rows = four_rods.sensitivity(Decimal("0.11"), np.random.default_rng(2))
+    contacts = [length for _, length in rows]
+    assert contacts == sorted(contacts) and contacts[-1] < four_rods.CONTACTS
+    stable = four_rods.sensitivity(Decimal("0.15"), np.random.default_rng(2))
+    assert [length for _, length in stable] == [four_rods.CONTACTS] * 4
+
+
+def test_case_of_four_rods_is_the_pattern_to_17_digits():
+    gaps, rates = four_rods.pattern_start("ababcb", four_rods.PATTERN_AT)
+    text = (EXAMPLES / f"{four_rods.CASE}.toml").read_text()
+    for key, values in four_rods.keys_of(gaps, rates, decimals=16).items():
+        assert f"{key.removeprefix('start.')} = {scanning.written(values)}\n" in text
