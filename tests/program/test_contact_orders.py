@@ -8,6 +8,7 @@ import pytest
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 FOUR_RODS = EXAMPLES / "dolmaire-huebner-rosenau-2024-four-rods.toml"
+THREE_DISKS = EXAMPLES / "dolmaire-velazquez-2024-three-spheres.toml"
 
 
 def logged_until_digits_are_spent(program, case):
@@ -42,3 +43,17 @@ def test_word_of_four_rods_changes_with_the_restitution(program, restitution, wo
     result = adjudicated(program, FOUR_RODS, "--set", f"system.restitution={restitution}",
                          "--set", "collision.precision=double")
     assert result["finding"] == "proven" and result["approaches"][0]["word"] == word
+
+
+def test_three_disks_in_a_bent_row_take_turns_as_long_as_digits_last(program):
+    first, second = logged_until_digits_are_spent(program, THREE_DISKS)
+    pairs = list(zip(first, second))
+    assert len(pairs) > 90 and set(pairs[::2]) | set(pairs[1::2]) == {(0, 1), (0, 2)}
+    assert pairs[2:] == pairs[:-2]
+
+
+def test_three_disks_in_a_row_bent_too_far_fly_apart(program):
+    # Bent by 35 degrees at its collapse at e = 0.03; at 0.05 the most is 16.
+    done = program("run", str(THREE_DISKS), "--set", "system.restitution=0.05", "--json")
+    summary = json.loads(done.stdout)
+    assert summary["separation"]["hits"] == 0 and summary["collisions"] < 20

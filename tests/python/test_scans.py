@@ -18,6 +18,7 @@ import scan_four_rods as four_rods  # noqa: E402
 import scan_rods as rods  # noqa: E402
 import scan_shear as shear  # noqa: E402
 import scan_three_balls as balls  # noqa: E402
+import scan_three_spheres as spheres  # noqa: E402
 import scan_triple as triple  # noqa: E402
 import scanning  # noqa: E402
 
@@ -207,3 +208,29 @@ def test_case_of_four_rods_is_the_pattern_to_17_digits():
     text = (EXAMPLES / f"{four_rods.CASE}.toml").read_text()
     for key, values in four_rods.keys_of(gaps, rates, decimals=16).items():
         assert f"{key.removeprefix('start.')} = {scanning.written(values)}\n" in text
+
+
+def test_largest_bend_is_zero_at_the_threshold_of_three_balls_and_none_above():
+    assert spheres.largest_bend(spheres.STABLE) == pytest.approx(0, abs=1e-6)
+    assert np.isnan(spheres.largest_bend(0.056))
+    # e = 0.001: cos t = 2 (0.1 + 0.01) / 1.001
+    assert np.cos(spheres.largest_bend(0.001)) == pytest.approx(0.22 / 1.001)
+
+
+def test_orders_of_three_spheres_are_told_apart():
+    first, second, third = 1, 2, 3  # i + j of the pairs 0-1, 0-2 and 1-2
+    assert spheres.eventual_order([third] + [first, second] * 12) == "nearly linear"
+    assert spheres.eventual_order([first, second, third] * 8) == "triangular"
+    assert spheres.eventual_order([first, second] * 11 + [third, first]) == "other"
+    assert spheres.longest_triangular([first, second, first, third, second, second]) == 4
+
+
+def test_bend_of_a_row_follows_from_the_distance_of_its_ends():
+    assert np.degrees(spheres.bend(1)) == 0 and np.degrees(spheres.bend(0.5)) == pytest.approx(120)
+
+
+def test_starts_of_three_spheres_do_not_overlap():
+    random = np.random.default_rng(1)
+    for _ in range(50):
+        places = np.array(spheres.random_start(random, 3)["start.positions"])
+        assert min(np.linalg.norm(places[k] - places[k - 1]) for k in range(3)) > 1.04
