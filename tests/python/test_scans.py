@@ -13,8 +13,10 @@ sys.path.insert(0, str(EXAMPLES))
 import contact_words  # noqa: E402
 import scan_random_acceleration as acceleration  # noqa: E402
 import scan_anatomy as anatomy  # noqa: E402
+import scan_confined_acceleration as confined  # noqa: E402
 import scan_contact_duration as duration  # noqa: E402
 import scan_four_rods as four_rods  # noqa: E402
+import scan_random_platform as platform  # noqa: E402
 import scan_rods as rods  # noqa: E402
 import scan_shear as shear  # noqa: E402
 import scan_three_balls as balls  # noqa: E402
@@ -234,3 +236,26 @@ def test_starts_of_three_spheres_do_not_overlap():
     for _ in range(50):
         places = np.array(spheres.random_start(random, 3)["start.positions"])
         assert min(np.linalg.norm(places[k] - places[k - 1]) for k in range(3)) > 1.04
+
+
+def test_rate_of_a_tail_counts_the_runs_that_did_not_end():
+    # Beyond 1: collapses at 2 and 4, one run cut off at LONGEST.
+    times = np.array([0.5, 2, 4, np.inf])
+    spent = 1 + 3 + platform.LONGEST - 1
+    assert platform.tail_rate(times, 1) == pytest.approx((2 / spent, 2 / spent / np.sqrt(2)))
+
+
+def test_computed_ball_without_kicks_comes_to_rest_at_the_known_time():
+    class Still:
+        def normal(self):
+            return 0.0
+    # It lands at t = 1 with the speed 1, and ends at 1 + 2 e / (1 - e).
+    assert platform.computed_time(0.5, Still()) == pytest.approx(3)
+    assert platform.computed_time(0.8, Still()) == pytest.approx(9)
+
+
+def test_uniform_places_have_their_share_at_the_walls():
+    places = (np.arange(100000) + 0.5) / 100000
+    np.random.default_rng(1).shuffle(places)
+    assert confined.at_wall(places)[0] == pytest.approx(2 * confined.EDGE, abs=1e-3)
+    assert confined.folded(places)[1] == pytest.approx(np.ones(25), abs=1e-3)
