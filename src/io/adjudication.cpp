@@ -83,6 +83,7 @@ Json json_of(const JudgedApproach& approach) {
           {"reopened_to_decade", or_null(approach.reopened_to)},
           {"milestones", milestones_of(approach)},
           {"lost_by", losses_of(approach)},
+          {"followed_from", approach.followed_from},
           {"run_hit", approach.run_hit}};
 }
 

@@ -12,6 +12,7 @@
 #include "io/case_words.hpp"
 #include "model/errors.hpp"
 #include "run/arithmetic.hpp"
+#include "run/beginnings.hpp"
 #include "run/followed_group.hpp"
 #include "run/hit_groups.hpp"
 #include "run/judge_group.hpp"
@@ -31,14 +32,6 @@ constexpr std::array rules{OverlapRule::rewind, OverlapRule::immediate, OverlapR
 /// they see.
 constexpr double share_of_highest = 0.75;
 constexpr double share_of_others = 0.1;
-
-/// A state of the run from which a group of hits is followed.
-struct Before {
-  HitGroup group;
-  std::int64_t collisions = 0;
-  int bits = 0;  ///< of the numbers in `state`
-  Bytes state{};
-};
 
 /// The case of a trial: another precision, with its threshold, and another rule.
 Case case_of_trial(Case values, Precision precision, OverlapRule rule) {
@@ -65,9 +58,9 @@ class Adjudicator {
 
   Adjudication go() {
     in_arithmetic_of(values_, [&]<int Dim, class Real>() { adjudicate_run<Dim, Real>(); });
-    if (const auto certificate = certificate_of(values_, limits_.interrupt)) {
-      apply(*certificate, result_);
-    }
+    const bool may_prove = !result_.approaches.empty();
+    const auto certificate = may_prove ? certificate_of(values_, limits_.interrupt) : std::nullopt;
+    if (certificate) apply(*certificate, result_);
     conclude();
     return std::move(result_);
   }
@@ -76,37 +69,26 @@ class Adjudicator {
   template <int Dim, class Real>
   void adjudicate_run() {
     const std::vector<HitGroup> groups = groups_of_run<Dim, Real>();
-    TrialRun<Dim, Real> run(values_);
+    if (groups.empty()) return;
+    started_ = Clock::now();
+    Beginnings<Dim, Real> beginnings(values_, groups, limits_.interrupt);
     for (std::size_t n = 0; n < groups.size(); ++n) {
       if (is_over()) {
         result_.left_out = static_cast<std::int64_t>(groups.size() - n);
         return;
       }
-      run.go({.collisions = std::max(beginning_of(groups, n), run.collisions())});
-      const Before before{groups[n], run.collisions(), significand_bits<Real>(), run.state()};
-      announce_ = fmt::format("hits from collision {} on ({} of {})", groups[n].first_hit, n + 1,
-                              groups.size());
+      const Before before = beginnings.before(n);
+      announce_ = fmt::format("hits from collision {} on ({} of {}{})", groups[n].first_hit, n + 1,
+                              groups.size(), time_for(groups.size() - n, n));
       follow(before);
       if (n == 0) try_other_rules(before);
     }
   }
 
-  /// The collision from whose state on a group is followed: a collision a sphere before its first
-  /// hit, at least a hundred. Where other hits lie between, whose rounding a trial would not share,
-  /// it is where the gaps of the group begin to be small.
-  std::int64_t beginning_of(const std::vector<HitGroup>& groups, std::size_t n) const {
-    const std::int64_t hit = groups[n].first_hit;
-    const std::int64_t lead = std::max<std::int64_t>(values_.system.spheres, 100);
-    const std::int64_t from = std::max<std::int64_t>(hit - lead, 0);
-    const bool is_free =
-        std::none_of(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(n),
-                     [&](const HitGroup& group) { return group.last_hit >= from; });
-    return is_free ? from : std::max(from, groups[n].from);
-  }
-
   /// Does the run once, to see what hits there are.
   template <int Dim, class Real>
   std::vector<HitGroup> groups_of_run() {
+    if (limits_.on_trial) limits_.on_trial("looking for separation hits");
     TrialRun<Dim, Real> run(values_);
     run.gather_hits();
     run.go({.collisions = values_.run.collisions.value_or(TrialEnd().collisions),
@@ -115,6 +97,12 @@ class Adjudicator {
     result_.hits = run.hits();
     auto groups = run.hit_groups();
     if (run.arrest().is_met()) mark_arrest(run.arrest(), groups);
+    if (groups.empty() && result_.was_interrupted) {
+      result_.sentence =
+          fmt::format("interrupted at collision {} of the run, before a separation hit was found",
+                      run.collisions());
+      return {};
+    }
     if (groups.empty()) {
       throw InputError(
           fmt::format("no separation hit in {} collisions: there is nothing to adjudicate; raise "
@@ -186,7 +174,8 @@ class Adjudicator {
   FollowedGroup followed(const Before& before, Precision precision, OverlapRule rule) {
     const Case trial = case_of_trial(values_, precision, rule);
     if (limits_.on_trial) {
-      limits_.on_trial(fmt::format("{}, {}, {}", announce_, word(precision), word(rule)));
+      limits_.on_trial(fmt::format("{}, {}, {}; {:.0f} s left", announce_, word(precision),
+                                   word(rule), std::max(0.0, seconds(deadline_ - Clock::now()))));
     }
     return in_arithmetic_of(
         trial, [&]<int Dim, class Real>() { return followed_in<Dim, Real>(before, trial); });
@@ -205,6 +194,7 @@ class Adjudicator {
   template <int Dim, class Real>
   FollowedGroup followed_in(const Before& before, const Case& values) {
     TrialRun<Dim, Real> trial = beginning<Dim, Real>(before, values);
+    const auto gaps = trial.gaps();
     trial.keep_collisions();
     const bool is_highest = !(values.collision.precision < highest_);
     TrialEnd end{.followed = before.group,
@@ -212,11 +202,19 @@ class Adjudicator {
                  .interrupt = limits_.interrupt};
     if (limits_.collisions) end.collisions = before.group.first_hit + *limits_.collisions;
     trial.go(end);
-    return {.trial = trial.trial(),
-            .limit = trial.limit(),
-            .first_number = trial.kept().first_number,
-            .rows = trial.kept().rows,
-            .seen = approaches_seen(trial.kept(), trial.limit(), trial.spheres(), before.group)};
+    FollowedGroup followed{
+        .trial = trial.trial(),
+        .limit = trial.limit(),
+        .begin = {before.collisions},
+        .first_number = trial.kept().first_number,
+        .rows = trial.kept().rows,
+        .seen = approaches_seen(trial.kept(), trial.limit(), trial.spheres(), before.group)};
+    if (before.collisions == 0) return followed;  // what touches there does so by the case
+    followed.begin.depth = gaps.smallest(before.group.spheres, trial.limit());
+    for (SeenApproach& seen : followed.seen) {
+      seen.begin_depth = gaps.smallest(seen.spheres, trial.limit());
+    }
+    return followed;
   }
 
   /// The moment at which a share of the time that is left will be over.
@@ -225,12 +223,26 @@ class Adjudicator {
     return now + std::chrono::duration_cast<Clock::duration>((deadline_ - now) * share);
   }
 
+  static double seconds(Clock::duration duration) {
+    return std::chrono::duration<double>(duration).count();
+  }
+
+  /// What the groups that are left will take, if they take as long as those before have.
+  std::string time_for(std::size_t left, std::size_t done) const {
+    if (done == 0) return "";
+    const double each = seconds(Clock::now() - started_) / static_cast<double>(done);
+    return fmt::format(", {:.0f} s for the rest", each * static_cast<double>(left));
+  }
+
   bool is_over() const { return result_.was_interrupted || Clock::now() > deadline_; }
 
   /// The strongest of the findings, and how many there are of each.
   void conclude() {
     if (result_.approaches.empty()) {
-      result_.sentence = "there was no time to follow any hit";
+      if (result_.sentence.empty()) {
+        result_.sentence = result_.was_interrupted ? "interrupted before any hit was followed"
+                                                   : "there was no time to follow any hit";
+      }
       return;
     }
     const auto strongest = std::max_element(
@@ -248,6 +260,7 @@ class Adjudicator {
   const AdjudicationLimits& limits_;
   Precision highest_;
   Clock::time_point deadline_;
+  Clock::time_point started_{};  ///< with the first group
   std::string announce_;
   Adjudication result_;
 };

@@ -38,6 +38,10 @@ void merge(HitGroup& into, const HitGroup& other) {
 
 }  // namespace
 
+bool is_of(const HitGroup& group, const DepthRow& row) {
+  return holds(group.spheres, row.i) || holds(group.spheres, row.j);
+}
+
 double mean_time_between_collisions(const HitGroup& group, std::int32_t spheres) {
   return group.first_time * spheres /
          (2 * static_cast<double>(std::max<std::int64_t>(group.first_hit, 1)));

@@ -32,6 +32,27 @@ window = 1000
 time = 30
 """
 
+GAS = """
+[system]
+dimension = 3
+spheres = 1000
+restitution = 0.2
+solids_volume_fraction = 0.2
+[start]
+arrangement = "random"
+granular_temperature = 1.0
+seed = 431455498415862
+[drive]
+kind = "shear"
+shear_rate = 1.0
+[collision]
+overlap = "rewind"
+[collapse]
+window = 10000
+[run]
+collisions = 36500
+"""
+
 
 def adjudicated(program, *words):
     done = program("adjudicate", *words, "--quiet", "--json")
@@ -124,6 +145,18 @@ def test_collapse_under_shear_stays_with_more_digits(program):
 def test_symmetric_contacts_are_exact_and_no_singularity(program, name, values):
     result = adjudicated(program, given(program, "symmetric.toml", **values))
     assert {a["finding"] for a in result["approaches"]} == {"exact contact"}, name
+
+
+def test_hits_after_a_rounded_collapse_are_no_exact_contact(program):
+    """Random starts have no symmetry. The group from collision 35828 on is of spheres that collapsed
+    a hundred collisions before, where the run's rounding had closed their gaps."""
+    program.case.write_text(GAS)
+    result = adjudicated(program, program.case, "--up-to", "quad")
+    findings = {(a["run_hit"], a["finding"]) for a in result["approaches"]}
+    assert "exact contact" not in {finding for _, finding in findings}
+    assert (35828, "singular") in findings
+    later = next(a for a in result["approaches"] if a["run_hit"] == 35828)
+    assert 35728 < later["followed_from"] < 35828
 
 
 def test_four_rods_below_their_threshold_are_singular(program):
