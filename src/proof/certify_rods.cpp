@@ -153,12 +153,15 @@ std::optional<Certificate> proof(const ExactRods& rods, const Row& row, const Ro
 /// The exact run, and what it comes to.
 class RodProof {
  public:
-  RodProof(const RodsStart& start, const RodLimits& limits) : rods_(start), limits_(limits) {}
+  RodProof(const RodsStart& start, const RodLimits& limits) : rods_(start), limits_(limits) {
+    if (!limits.until.empty()) until_ = exact_number(limits.until);
+  }
 
   Certificate conclude() {
     while (static_cast<std::int64_t>(history_.size()) < limits_.contacts) {
       const ExactRods::Event event = rods_.next_event();
       if (event == ExactRods::Event::none_left) return escaped();
+      if (until_ && rods_.is_after(*until_)) return finished();
       if (event == ExactRods::Event::exact_contact) return touched();
       history_.push_back(rods_.letter());
       if (limits_.interrupt && *limits_.interrupt) return given_up("interrupted");
@@ -197,6 +200,10 @@ class RodProof {
     return ended(Kind::escapes, "no two rods approach each other after " +
                                     std::to_string(history_.size()) + " contacts");
   }
+  Certificate finished() const {
+    return ended(Kind::finite, std::to_string(history_.size()) + " contacts until " +
+                                   limits_.until + ", and no more");
+  }
   Certificate touched() const {
     const int letter = rods_.letter();
     return ended(Kind::exact_contact,
@@ -215,6 +222,7 @@ class RodProof {
 
   ExactRods rods_;
   RodLimits limits_;
+  std::optional<Rational> until_;
   std::vector<int> history_;
   std::int64_t next_attempt_ = 6;
   std::string word_;

@@ -60,7 +60,7 @@ class Adjudicator {
     in_arithmetic_of(values_, [&]<int Dim, class Real>() { adjudicate_run<Dim, Real>(); });
     const bool may_prove = !result_.approaches.empty();
     const auto certificate = may_prove ? certificate_of(values_, limits_.interrupt) : std::nullopt;
-    if (certificate) apply(*certificate, result_);
+    if (certificate) apply(*certificate, values_, result_);
     conclude();
     return std::move(result_);
   }

@@ -147,6 +147,30 @@ def test_symmetric_contacts_are_exact_and_no_singularity(program, name, values):
     assert {a["finding"] for a in result["approaches"]} == {"exact contact"}, name
 
 
+@pytest.mark.parametrize("restitution, finding", [(0.0717957, "proven"),
+                                                  (0.0717977, "near-collapse")])
+def test_three_rods_are_told_from_each_other_within_a_millionth_of_the_threshold(
+        program, restitution, finding):
+    """7 - 4 sqrt(3) = 0.0717968. Above it the gaps fall to 1e-532 before they grow again."""
+    result = adjudicated(program, RODS, "--set", f"system.restitution={restitution}")
+    assert [a["finding"] for a in result["approaches"]] == [finding]
+    if finding == "near-collapse":
+        assert "in exact fractions there are" in result["sentence"]
+        assert result["approaches"][0]["collapse_time"] is None
+
+
+@pytest.mark.parametrize("restitution, finding", [(0.1714729, "proven"),
+                                                  (0.1716729, "near-collapse")])
+def test_four_rods_are_told_from_each_other_within_a_ten_thousandth_of_the_threshold(
+        program, restitution, finding):
+    """3 - 2 sqrt(2) = 0.1715729."""
+    case = given(program, "four.toml", dimension=1, spheres=4, restitution=restitution,
+                 sides=[100], positions=[10, 11.2, 12.7, 14], velocities=[1, 0, 0, -1])
+    result = adjudicated(program, case)
+    assert result["finding"] == finding
+    assert "in exact fractions" in result["sentence"]
+
+
 def test_hits_after_a_rounded_collapse_are_no_exact_contact(program):
     """Random starts have no symmetry. The group from collision 35828 on is of spheres that collapsed
     a hundred collisions before, where the run's rounding had closed their gaps."""
