@@ -2,6 +2,8 @@
 
 import json
 import pathlib
+import signal
+import subprocess
 
 import h5py
 import pytest
@@ -181,6 +183,16 @@ def test_hits_after_a_rounded_collapse_are_no_exact_contact(program):
     assert (35828, "singular") in findings
     later = next(a for a in result["approaches"] if a["run_hit"] == 35828)
     assert 35728 < later["followed_from"] < 35828
+
+
+def test_interrupt_before_the_first_hit_says_so(program):
+    endless = program.command("adjudicate", program.case, "--set", "run.collisions=1000000000000")
+    process = subprocess.Popen(endless, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    program.pause(1)  # elastic enough that it never has a hit
+    process.send_signal(signal.SIGINT)
+    output, error = process.communicate(timeout=60)
+    assert process.returncode == 130, error
+    assert "interrupted at collision" in output and "before a separation hit" in output
 
 
 def test_four_rods_below_their_threshold_are_singular(program):
