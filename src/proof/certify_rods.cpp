@@ -6,7 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "proof/contact_word.hpp"
+#include "model/repeated_round.hpp"
+#include "proof/letters.hpp"
 #include "proof/rational_eigenvalue.hpp"
 #include "proof/round_of_contacts.hpp"
 
@@ -34,7 +35,7 @@ std::optional<Row> row_around_last(std::span<const int> history, int period) {
       if (place != row.letters.end())
         places.push_back(static_cast<int>(place - row.letters.begin()));
     }
-    auto word = repeating_word(places);
+    auto word = round_at_end(places);
     if (!word) continue;
     // A letter that was met earlier in the window only is no longer in the row.
     const auto [least, greatest] = std::minmax_element(word->begin(), word->end());
@@ -135,7 +136,7 @@ std::optional<Certificate> proof(const ExactRods& rods, const Row& row, const Ro
   end = collapse->end_after(collapse->round.after(state, rounds));
   if (!is_undisturbed(rods, row, end.upper)) return std::nullopt;
   const int places = places_for(end.upper - end.lower);
-  Certificate certificate{.kind = Kind::proven, .word = word_text(row.word)};
+  Certificate certificate{.kind = Kind::proven, .word = text_of_letters(first_rotation(row.word))};
   certificate.spheres = spheres_of(rods, row);
   certificate.lower = decimal_below(end.lower, places);
   certificate.upper = decimal_above(end.upper, places);
@@ -177,7 +178,7 @@ class RodProof {
   std::optional<Certificate> attempt() {
     const auto row = row_around_last(history_, rods_.is_periodic() ? rods_.letters() : 0);
     if (!row) return std::nullopt;
-    word_ = word_text(row->word);
+    word_ = text_of_letters(first_rotation(row->word));
     auto certificate = proof(rods_, *row, limits_);
     if (certificate) certificate->collisions = static_cast<std::int64_t>(history_.size());
     return certificate;

@@ -13,6 +13,7 @@
 #include "model/errors.hpp"
 #include "run/arithmetic.hpp"
 #include "run/beginnings.hpp"
+#include "run/enclosure.hpp"
 #include "run/followed_group.hpp"
 #include "run/hit_groups.hpp"
 #include "run/judge_group.hpp"
@@ -140,9 +141,31 @@ class Adjudicator {
       const bool may_go_on = !limits_.highest && 2 * digits_of(top) <= most_digits;
       if (!may_go_on || !wants_more_digits(trials.back())) break;
     }
+    enclose_first(before, judged);
     result_.approaches.insert(result_.approaches.end(), judged.begin(), judged.end());
     if (!result_.trials.empty()) return;
     for (const FollowedGroup& trial : trials) result_.trials.push_back(trial.trial);
+  }
+
+  /// Encloses the first singular approach of all, in at most a tenth of the time that is left.
+  void enclose_first(const Before& before, std::vector<JudgedApproach>& judged) {
+    if (has_enclosed_) return;
+    for (JudgedApproach& approach : judged) {
+      const auto place = place_to_enclose(values_, approach);
+      if (!place) continue;
+      has_enclosed_ = true;
+      const auto deadline = share_of_time(share_of_others);
+      const Case trial = case_of_trial(values_, approach.precision, result_.rule);
+      const auto certificate = in_arithmetic_of(trial, [&]<int Dim, class Real>() {
+        TrialRun<Dim, Real> run = beginning<Dim, Real>(before, trial);
+        run.go({.collisions = *place, .deadline = deadline, .interrupt = limits_.interrupt});
+        return run.collisions() < *place ? std::nullopt
+                                         : enclosed(trial, run.gaps(), approach.spheres,
+                                                    approach.decades, deadline, limits_.interrupt);
+      });
+      if (certificate) tell_enclosure(*certificate, *place, approach);
+      return;
+    }
   }
 
   static int digits_of(Precision precision) {
@@ -245,11 +268,9 @@ class Adjudicator {
       }
       return;
     }
-    const auto strongest = std::max_element(
-        result_.approaches.begin(), result_.approaches.end(),
-        [](const JudgedApproach& a, const JudgedApproach& b) { return a.finding < b.finding; });
-    result_.finding = strongest->finding;
-    result_.sentence = strongest->sentence;
+    const JudgedApproach& first = *strongest(result_.approaches);
+    result_.finding = first.finding;
+    result_.sentence = first.sentence;
     if (result_.left_out > 0) {
       result_.sentence += fmt::format(
           "; for {} more groups of hits there was no time (raise --seconds)", result_.left_out);
@@ -262,6 +283,7 @@ class Adjudicator {
   Clock::time_point deadline_;
   Clock::time_point started_{};  ///< with the first group
   std::string announce_;
+  bool has_enclosed_ = false;
   Adjudication result_;
 };
 

@@ -71,11 +71,15 @@ std::string sentence_of(const JudgedApproach& judged, const ClusterApproach& app
     case Finding::singular:
       return fmt::format(
           "the gaps of {} fall to 1e-{}, all that {} has, {}, with energy lost; if they go on so, "
-          "infinitely many collisions end at {}",
+          "infinitely many collisions end at {}{}",
           who, judged.decades, precision, law_of(judged),
           judged.collapse_time
               ? fmt::format("{} +- {:.1g}", *judged.collapse_time, judged.uncertainty.value_or(0))
-              : std::string("a time that was not extrapolated"));
+              : std::string("a time that was not extrapolated"),
+          judged.reopened_to
+              ? "; behind the last digit they grow again, by the overlap rule or, as "
+                "more digits might show, by themselves"
+              : "");
     case Finding::near_collapse:
       return fmt::format(
           "the gaps of {} fall together to 1e-{} and grow again, half of them to 1e-{} and more, "

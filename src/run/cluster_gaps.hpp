@@ -23,13 +23,17 @@ class ClusterGaps {
   /// \return         decades, >= 0; 0 also where there is no gap to speak of
   double smallest(std::span<const std::int32_t> spheres, double limit) const;
 
- private:
   struct Relative {
-    Vec<Dim, Real> dr;  ///< by the shortest image
-    Vec<Dim, Real> dv;
+    Vec<Dim, Real> dr;  ///< by the shortest image, diameters
+    Vec<Dim, Real> dv;  ///< of that image, diameters/time
   };
+  /// How sphere i sees sphere j.
   Relative relative(std::int32_t i, std::int32_t j) const;
 
+  std::int32_t spheres() const { return static_cast<std::int32_t>(state_.positions.size()); }
+  const ShearBox<Dim, Real>& box() const { return box_; }
+
+ private:
   ShearBox<Dim, Real> box_;
   Real offset_ = 0;  ///< of the images along y
   Configuration<Dim, Real> state_;

@@ -263,6 +263,12 @@ std::vector<JudgedApproach> judge_group(const HitGroup& group,
   return all;
 }
 
+std::vector<JudgedApproach>::iterator strongest(std::vector<JudgedApproach>& approaches) {
+  return std::max_element(
+      approaches.begin(), approaches.end(),
+      [](const JudgedApproach& a, const JudgedApproach& b) { return a.finding < b.finding; });
+}
+
 bool wants_more_digits(const FollowedGroup& top) {
   return std::any_of(top.seen.begin(), top.seen.end(), [&](const SeenApproach& seen) {
     const ClusterApproach& approach = seen.evidence.approach;

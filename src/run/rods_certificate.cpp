@@ -8,6 +8,7 @@
 #include "io/case_words.hpp"
 #include "proof/certify_rods.hpp"
 #include "run/approach_sentence.hpp"
+#include "run/judge_group.hpp"
 
 namespace zenosphere {
 namespace {
@@ -63,12 +64,9 @@ std::string sentence_of(const Certificate& certificate) {
 }
 
 void prove(const Certificate& certificate, Adjudication& adjudication) {
-  auto& all = adjudication.approaches;
-  const auto strongest = std::max_element(
-      all.begin(), all.end(),
-      [](const JudgedApproach& a, const JudgedApproach& b) { return a.finding < b.finding; });
-  if (strongest == all.end()) return;
-  JudgedApproach& proven = *strongest;
+  const auto found = strongest(adjudication.approaches);
+  if (found == adjudication.approaches.end()) return;
+  JudgedApproach& proven = *found;
   proven.finding = Finding::proven;
   proven.spheres.assign(certificate.spheres.begin(), certificate.spheres.end());
   std::sort(proven.spheres.begin(), proven.spheres.end());

@@ -185,6 +185,18 @@ def test_hits_after_a_rounded_collapse_are_no_exact_contact(program):
     assert 35728 < later["followed_from"] < 35828
 
 
+def test_singular_approach_in_three_dimensions_is_enclosed_to_the_end_of_the_digits(program):
+    program.case.write_text(GAS)
+    result = adjudicated(program, program.case, "--set", "system.spheres=500",
+                         "--set", "system.restitution=0.1", "--set", "start.seed=1",
+                         "--set", "system.solids_volume_fraction=0.1",
+                         "--set", "run.collisions=1500")
+    first, *others = [a for a in result["approaches"] if a["finding"] == "singular"]
+    assert first["enclosed_to"] >= 99
+    assert f"enclosed to 1e-{first['enclosed_to']}" in first["sentence"]
+    assert all(a["enclosed_to"] is None for a in others)
+
+
 def test_interrupt_before_the_first_hit_says_so(program):
     endless = program.command("adjudicate", program.case, "--set", "run.collisions=1000000000000")
     process = subprocess.Popen(endless, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
