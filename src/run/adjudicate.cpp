@@ -29,8 +29,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::array rules{OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded,
                            OverlapRule::stop};
 
-/// What a trial may take of the time that is left: precisions below the highest only tell how far
-/// they see.
+/// What a trial may take of the time that is left: lower precisions only tell how far they see.
 constexpr double share_of_highest = 0.75;
 constexpr double share_of_others = 0.1;
 

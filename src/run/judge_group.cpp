@@ -272,7 +272,10 @@ std::vector<JudgedApproach>::iterator strongest(std::vector<JudgedApproach>& app
 bool wants_more_digits(const FollowedGroup& top) {
   return std::any_of(top.seen.begin(), top.seen.end(), [&](const SeenApproach& seen) {
     const ClusterApproach& approach = seen.evidence.approach;
-    const bool is_at_end = approach.is_spent || approach.deepest > top.limit - digits_to_spare;
+    // Elastic gaps that are zero by symmetry are rounded to the last digit of any precision.
+    const bool is_reversed =
+        seen.evidence.is_dissipative && approach.deepest > top.limit - digits_to_spare;
+    const bool is_at_end = approach.is_spent || is_reversed;
     return is_at_end && judge(seen.evidence, top.limit) == Finding::undecided;
   });
 }
