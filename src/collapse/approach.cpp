@@ -111,7 +111,8 @@ ClusterApproach approach_of(std::span<const DepthRow> rows, const std::vector<do
   approach.to = depths[approach.last];
   if (rise.is_over) {
     const auto after = depths.begin() + static_cast<std::ptrdiff_t>(rise.peak);
-    const auto end = depths.begin() + static_cast<std::ptrdiff_t>(rise.end);
+    const auto end =
+        depths.begin() + static_cast<std::ptrdiff_t>(std::min(rise.end + 1, depths.size()));
     approach.reopened_to = *std::min_element(after, end);
   }
   approach.visited =

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "collapse/contact_graph.hpp"
+#include "model/repeated_round.hpp"
 
 namespace zenosphere {
 namespace {
@@ -15,42 +16,20 @@ constexpr std::size_t longest_period = 128;
 constexpr std::size_t least_repeats = 4;
 constexpr std::size_t looked_at = longest_period * least_repeats;
 
-char letter(std::size_t place) {
-  if (place < 26) return static_cast<char>('a' + place);
-  return place < 52 ? static_cast<char>('A' + (place - 26)) : '?';
-}
-
 /// The letter of each pair that occurs.
-std::map<Contact, char> letters_of(std::span<const Contact> contacts) {
+std::map<Contact, int> letters_of(std::span<const Contact> contacts) {
   ContactGraph graph;
   std::set<Contact> pairs;
   for (const Contact& contact : contacts) {
     if (pairs.insert(contact).second) graph.connect(contact.first, contact.second);
   }
-  std::map<Contact, char> letters;
+  std::map<Contact, int> letters;
   const auto row = graph.longest_way(contacts.front().first);
   for (std::size_t k = 0; k + 1 < row.size(); ++k) {
-    letters.emplace(std::minmax(row[k], row[k + 1]), letter(k));
+    letters.emplace(std::minmax(row[k], row[k + 1]), static_cast<int>(k));
   }
-  for (const Contact& pair : pairs) letters.try_emplace(pair, letter(letters.size()));
+  for (const Contact& pair : pairs) letters.try_emplace(pair, static_cast<int>(letters.size()));
   return letters;
-}
-
-bool repeats_at_end(const std::string& text, std::size_t period) {
-  if (text.size() < least_repeats * period) return false;
-  const std::size_t begin = text.size() - least_repeats * period;
-  for (std::size_t k = begin; k + period < text.size(); ++k) {
-    if (text[k] != text[k + period]) return false;
-  }
-  return true;
-}
-
-std::string first_rotation(const std::string& period) {
-  std::string first = period;
-  for (std::size_t shift = 1; shift < period.size(); ++shift) {
-    first = std::min(first, period.substr(shift) + period.substr(0, shift));
-  }
-  return first;
 }
 
 }  // namespace
@@ -59,14 +38,12 @@ ContactWord contact_word(std::span<const Contact> contacts) {
   if (contacts.empty()) return {};
   const auto tail = contacts.last(std::min(contacts.size(), looked_at));
   const auto letters = letters_of(tail);
-  std::string text;
-  for (const Contact& contact : tail) text += letters.at(contact);
-  for (std::size_t period = 1; period <= longest_period; ++period) {
-    if (!repeats_at_end(text, period)) continue;
-    return {first_rotation(text.substr(text.size() - period)), true};
-  }
-  const std::size_t round = std::min(text.size(), 2 * letters.size());
-  return {text.substr(text.size() - round), false};
+  std::vector<int> history;
+  for (const Contact& contact : tail) history.push_back(letters.at(contact));
+  const auto round = repeated_round(history, least_repeats, 1, longest_period);
+  if (round) return {text_of_letters(first_rotation(*round)), true};
+  const std::size_t shown = std::min(history.size(), 2 * letters.size());
+  return {text_of_letters(std::span(history).last(shown)), false};
 }
 
 }  // namespace zenosphere

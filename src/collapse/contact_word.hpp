@@ -18,8 +18,8 @@ struct ContactWord {
 /// The word at the end of a sequence of contacts.
 ///
 /// Letters are a, b, c, ... along the row of spheres where the contacts form one, from the end with
-/// the lower number; otherwise in the order of the pairs. After z come A to Z, then `?`. Of the
-/// rotations of a period the alphabetically first is given: ababcb.
+/// the lower number; otherwise in the order of the pairs. After z come A to Z, then (52), (53), ...
+/// Of the rotations of a period the alphabetically first is given: ababcb.
 ///
 /// Source: words of contacts as in Dolmaire & Huebner-Rosenau, arXiv 2411.10324.
 ///

@@ -48,7 +48,8 @@ std::optional<RoundRatio> round_ratio(const std::vector<double>& durations) {
 Finding judge(const ApproachEvidence& evidence, double limit) {
   const ClusterApproach& approach = evidence.approach;
   if (!approach.is_spent) {
-    return approach.reopened_to ? Finding::near_collapse : Finding::undecided;
+    const bool is_spared = approach.deepest <= limit - digits_to_spare;
+    return approach.reopened_to && is_spared ? Finding::near_collapse : Finding::undecided;
   }
   if (approach.visited < least_visited) return Finding::exact_contact;
   const double wanted = std::min(least_singular_decades, limit / 2);

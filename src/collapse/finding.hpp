@@ -46,12 +46,18 @@ struct ApproachEvidence {
   bool is_dissipative = false;        ///< some contact of the cluster has lost energy
 };
 
+/// Decades above the limit at which a gap has still so many digits that rounding does not decide
+/// what becomes of it.
+inline constexpr double digits_to_spare = 4;
+
 /// What the evidence of one approach says: singular, near-collapse, exact contact or undecided.
 ///
 /// *Singular* is a cluster that dissipates, whose gaps fell over at least twenty decades by one
 /// law up to the end of the digits (or, in a type with fewer, over half of all it has); a periodic
 /// word must contract by a ratio that settles. *Near-collapse*: the gaps grew again with digits to
-/// spare. *Exact contact*: gaps at the limit, and hardly any in the decades above it.
+/// spare, which is where the smallest still had `digits_to_spare`. *Exact contact*: gaps at the
+/// limit, and hardly any in the decades above it; whether the spheres or rounding made it so, the
+/// caller must know.
 Finding judge(const ApproachEvidence& evidence, double limit);
 
 }  // namespace zenosphere

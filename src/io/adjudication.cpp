@@ -81,8 +81,10 @@ Json json_of(const JudgedApproach& approach) {
           {"round_ratio", json_or_null(approach.ratio)},
           {"steady_fall", json_or_null(approach.steady)},
           {"reopened_to_decade", or_null(approach.reopened_to)},
+          {"enclosed_to", or_null(approach.enclosed_to)},
           {"milestones", milestones_of(approach)},
           {"lost_by", losses_of(approach)},
+          {"followed_from", approach.followed_from},
           {"run_hit", approach.run_hit}};
 }
 

@@ -60,9 +60,11 @@ struct JudgedApproach {
   std::optional<RoundRatio> ratio{};
   std::optional<SteadyFall> steady{};
   std::optional<double> reopened_to{};  ///< decades of the median gap
+  std::optional<int> enclosed_to{};     ///< decades to which the order of contacts is certain
   std::vector<Milestone> milestones{};
-  std::vector<Loss> losses{};  ///< one for each precision below
-  std::int64_t run_hit = 0;    ///< the run's first hit that belongs to it, a collision
+  std::vector<Loss> losses{};      ///< one for each precision below
+  std::int64_t followed_from = 0;  ///< the collision of the run from whose state it was followed
+  std::int64_t run_hit = 0;        ///< the run's first hit that belongs to it, a collision
 };
 
 struct Adjudication {

@@ -6,15 +6,9 @@
 #include <vector>
 
 #include "proof/ball.hpp"
+#include "proof/exact_sphere.hpp"
 
 namespace zenosphere {
-
-/// A sphere of diameter and mass 1 at one moment, in 1, 2 or 3 dimensions, in numbers that are
-/// exact.
-struct ExactSphere {
-  std::vector<Rational> position;  ///< diameters, in one image of the box
-  std::vector<Rational> velocity;  ///< diameter/time, in one frame
-};
 
 /// A few free spheres, their places and times known as balls: what is said about the order of
 /// collisions is certain, or it is not said.

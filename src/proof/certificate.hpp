@@ -14,6 +14,7 @@ struct Certificate {
     proven,         ///< infinitely many collisions until a time between lower and upper
     exact_contact,  ///< three spheres touch at one instant: what follows is not defined
     escapes,        ///< proven: after so many collisions nothing will ever collide again
+    finite,         ///< proven: so many collisions, and no more, until the time that was asked for
   };
   Kind kind = Kind::none;
   std::string

@@ -6,7 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "proof/contact_word.hpp"
+#include "model/repeated_round.hpp"
+#include "proof/letters.hpp"
 #include "proof/rational_eigenvalue.hpp"
 #include "proof/round_of_contacts.hpp"
 
@@ -34,7 +35,7 @@ std::optional<Row> row_around_last(std::span<const int> history, int period) {
       if (place != row.letters.end())
         places.push_back(static_cast<int>(place - row.letters.begin()));
     }
-    auto word = repeating_word(places);
+    auto word = round_at_end(places);
     if (!word) continue;
     // A letter that was met earlier in the window only is no longer in the row.
     const auto [least, greatest] = std::minmax_element(word->begin(), word->end());
@@ -135,7 +136,7 @@ std::optional<Certificate> proof(const ExactRods& rods, const Row& row, const Ro
   end = collapse->end_after(collapse->round.after(state, rounds));
   if (!is_undisturbed(rods, row, end.upper)) return std::nullopt;
   const int places = places_for(end.upper - end.lower);
-  Certificate certificate{.kind = Kind::proven, .word = word_text(row.word)};
+  Certificate certificate{.kind = Kind::proven, .word = text_of_letters(first_rotation(row.word))};
   certificate.spheres = spheres_of(rods, row);
   certificate.lower = decimal_below(end.lower, places);
   certificate.upper = decimal_above(end.upper, places);
@@ -153,12 +154,15 @@ std::optional<Certificate> proof(const ExactRods& rods, const Row& row, const Ro
 /// The exact run, and what it comes to.
 class RodProof {
  public:
-  RodProof(const RodsStart& start, const RodLimits& limits) : rods_(start), limits_(limits) {}
+  RodProof(const RodsStart& start, const RodLimits& limits) : rods_(start), limits_(limits) {
+    if (!limits.until.empty()) until_ = exact_number(limits.until);
+  }
 
   Certificate conclude() {
     while (static_cast<std::int64_t>(history_.size()) < limits_.contacts) {
       const ExactRods::Event event = rods_.next_event();
       if (event == ExactRods::Event::none_left) return escaped();
+      if (until_ && rods_.is_after(*until_)) return finished();
       if (event == ExactRods::Event::exact_contact) return touched();
       history_.push_back(rods_.letter());
       if (limits_.interrupt && *limits_.interrupt) return given_up("interrupted");
@@ -174,7 +178,7 @@ class RodProof {
   std::optional<Certificate> attempt() {
     const auto row = row_around_last(history_, rods_.is_periodic() ? rods_.letters() : 0);
     if (!row) return std::nullopt;
-    word_ = word_text(row->word);
+    word_ = text_of_letters(first_rotation(row->word));
     auto certificate = proof(rods_, *row, limits_);
     if (certificate) certificate->collisions = static_cast<std::int64_t>(history_.size());
     return certificate;
@@ -197,6 +201,10 @@ class RodProof {
     return ended(Kind::escapes, "no two rods approach each other after " +
                                     std::to_string(history_.size()) + " contacts");
   }
+  Certificate finished() const {
+    return ended(Kind::finite, std::to_string(history_.size()) + " contacts until " +
+                                   limits_.until + ", and no more");
+  }
   Certificate touched() const {
     const int letter = rods_.letter();
     return ended(Kind::exact_contact,
@@ -215,6 +223,7 @@ class RodProof {
 
   ExactRods rods_;
   RodLimits limits_;
+  std::optional<Rational> until_;
   std::vector<int> history_;
   std::int64_t next_attempt_ = 6;
   std::string word_;

@@ -5,7 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "proof/contact_word.hpp"
+#include "model/repeated_round.hpp"
+#include "proof/ball_spheres.hpp"
+#include "proof/letters.hpp"
 
 namespace zenosphere {
 
@@ -54,7 +56,7 @@ class PairHistory {
 
   /// The round with which it ends, its letters in the order of its chain.
   void tell(Certificate& certificate) const {
-    const auto word = repeating_word(history_);
+    const auto word = round_at_end(history_);
     if (!word) return;
     std::vector<int> used = *word;
     std::sort(used.begin(), used.end());
@@ -68,7 +70,7 @@ class PairHistory {
       const auto place = std::find(ordered.begin(), ordered.end(), pairs_[letter]);
       renamed.push_back(static_cast<int>(place - ordered.begin()));
     }
-    certificate.word = word_text(renamed);
+    certificate.word = text_of_letters(first_rotation(renamed));
   }
 
  private:
@@ -88,6 +90,11 @@ class PairHistory {
   std::vector<Pair> pairs_;
   std::vector<int> history_;
 };
+
+bool has_to_stop(const ClusterLimits& limits) {
+  return (limits.interrupt && *limits.interrupt) ||
+         std::chrono::steady_clock::now() > limits.deadline;
+}
 
 /// One pass with so many bits.
 struct Pass {
@@ -122,8 +129,7 @@ class Enclosing {
 
  private:
   bool is_over(const Certificate& certificate) const {
-    return certificate.collisions >= limits_.collisions ||
-           (limits_.interrupt && *limits_.interrupt);
+    return certificate.collisions >= limits_.collisions || has_to_stop(limits_);
   }
 
   void observe(Certificate& certificate) {
@@ -194,7 +200,7 @@ Certificate enclose_cluster(std::span<const ExactSphere> spheres, const Rational
   for (long bits = 512;; bits *= 2) {
     const BallPrecision precision(bits);
     Pass pass = Enclosing(spheres, restitution, limits).pass();
-    const bool is_last = 2 * bits > limits.bits || (limits.interrupt && *limits.interrupt);
+    const bool is_last = 2 * bits > limits.bits || has_to_stop(limits);
     if (pass.needs_bits && !is_last) continue;
     pass.certificate.reason = reason_of(pass, bits);
     return pass.certificate;

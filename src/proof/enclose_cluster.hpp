@@ -1,12 +1,12 @@
 #pragma once
 
 #include <atomic>
-#include <cmath>
+#include <chrono>
 #include <cstdint>
 #include <span>
 
-#include "proof/ball_spheres.hpp"
 #include "proof/certificate.hpp"
+#include "proof/exact_sphere.hpp"
 
 namespace zenosphere {
 
@@ -15,6 +15,7 @@ struct ClusterLimits {
   int decades = 100;  ///< of gap, at which it is enough
   std::int64_t collisions = 20000;
   long bits = 65536;  ///< of a number, at most; begins with 512 and doubles
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
   const std::atomic<bool>* interrupt = nullptr;
 };
 
@@ -35,25 +36,5 @@ struct ClusterLimits {
 /// Source: docs/decisions/0019.
 Certificate enclose_cluster(std::span<const ExactSphere> spheres, const Rational& restitution,
                             const ClusterLimits& limits = {});
-
-/// A binary floating-point number of any kind, exactly; it is finite.
-template <class Real>
-Rational exactly(const Real& value) {
-  using std::frexp;
-  using std::ldexp;
-  int exponent = 0;
-  Real rest = frexp(value, &exponent);
-  constexpr int kStep = 30;
-  Integer digits;
-  for (; rest != 0; exponent -= kStep) {
-    rest = ldexp(rest, kStep);
-    const long word = static_cast<long>(rest);
-    rest -= Real(word);
-    digits = (digits << kStep) + word;
-  }
-  Rational result(digits);
-  if (exponent < 0) return result / Rational(Integer(1) << -exponent);
-  return result * Rational(Integer(1) << exponent);
-}
 
 }  // namespace zenosphere

@@ -158,6 +158,10 @@ Rational ExactRods::now() const {
   return time;
 }
 
+bool ExactRods::is_after(const Rational& time) const {
+  return now_times_ * time.get_den() > now_over_ * time.get_num();
+}
+
 Rational ExactRods::gap(int letter) const { return (c_[letter] + now() * u_[letter]) / scale_; }
 
 void collide_letters(std::vector<Integer>& values, int letter, const std::vector<int>& neighbours,

@@ -48,6 +48,7 @@ class ExactRods {
   int letter() const { return letter_; }
   /// The time of the latest event, 0 before the first.
   Rational now() const;
+  bool is_after(const Rational& time) const;
   /// Two contacts have fallen on one instant, of pairs that have no rod in common.
   bool has_simultaneous_contacts() const { return has_simultaneous_; }
 

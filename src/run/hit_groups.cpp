@@ -38,9 +38,20 @@ void merge(HitGroup& into, const HitGroup& other) {
 
 }  // namespace
 
+bool is_of(const HitGroup& group, const DepthRow& row) {
+  return holds(group.spheres, row.i) || holds(group.spheres, row.j);
+}
+
 double mean_time_between_collisions(const HitGroup& group, std::int32_t spheres) {
   return group.first_time * spheres /
          (2 * static_cast<double>(std::max<std::int64_t>(group.first_hit, 1)));
+}
+
+void mark_arrest(std::int32_t sphere, std::int64_t collision, std::vector<HitGroup>& groups) {
+  const auto last = std::find_if(groups.rbegin(), groups.rend(), [&](const HitGroup& group) {
+    return std::binary_search(group.spheres.begin(), group.spheres.end(), sphere);
+  });
+  if (last != groups.rend()) last->arrest = collision;
 }
 
 HitGroups::HitGroups(std::int32_t spheres)

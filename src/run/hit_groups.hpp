@@ -24,8 +24,15 @@ struct HitGroup {
   std::optional<std::int64_t> arrest{};  ///< the collision at which the run was arrested in it
 };
 
+/// Whether a collision is one of a group's spheres.
+bool is_of(const HitGroup& group, const DepthRow& row);
+
 /// Mean time between two collisions of a sphere up to the first hit of a group.
 double mean_time_between_collisions(const HitGroup& group, std::int32_t spheres);
+
+/// Tells the last group that a sphere belongs to of the collision at which the run was arrested
+/// with it.
+void mark_arrest(std::int32_t sphere, std::int64_t collision, std::vector<HitGroup>& groups);
 
 /// Gathers the hits of a run into groups.
 class HitGroups {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "io/case_words.hpp"
+#include "run/approach_sentence.hpp"
 
 namespace zenosphere {
 namespace {
-
-int whole(double decades) { return static_cast<int>(std::floor(decades)); }
 
 /// A time as text, to two digits behind its error.
 std::string to_error(const std::string& time, double error) {
@@ -51,70 +51,52 @@ Loss loss_of(const FollowedGroup& lower, const FollowedGroup& top, const SeenApp
   return loss;
 }
 
-std::string names_of(const std::vector<std::int32_t>& spheres) {
-  constexpr std::size_t most = 6;
-  std::string names;
-  for (std::size_t k = 0; k < std::min(spheres.size(), most); ++k) {
-    names += fmt::format("{}{}", k == 0 ? "" : "-", spheres[k]);
-  }
-  return spheres.size() > most ? names + "-..." : names;
+bool have_common(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::int32_t sphere) {
+    return std::binary_search(b.begin(), b.end(), sphere);
+  });
 }
 
-std::string law_of(const JudgedApproach& judged) {
-  std::string law;
-  if (judged.steady) {
-    law = fmt::format("{:.0f} decades by one law, {:.3g} decades a collision",
-                      judged.steady->decades, judged.steady->per_collision);
-  }
-  if (judged.word.is_periodic && judged.ratio) {
-    law += fmt::format("{}word {} with ratio {:.6g}", law.empty() ? "" : "; ", judged.word.letters,
-                       judged.ratio->ratio);
-  }
-  return law;
+/// Whether the run's own rounding had closed a gap of the spheres before the trial began.
+bool was_rounded(double begin_depth, const std::vector<FollowedGroup>& ladder) {
+  return begin_depth > ladder.front().limit - digits_to_spare;
 }
 
-std::string sentence_of(const JudgedApproach& judged, const ClusterApproach& approach) {
-  const std::string who =
-      fmt::format("{} spheres ({})", judged.spheres.size(), names_of(judged.spheres));
-  const std::string precision = word(judged.precision);
-  switch (judged.finding) {
-    case Finding::singular:
-      return fmt::format(
-          "the gaps of {} fall to 1e-{}, all that {} has, {}, with energy lost; infinitely many "
-          "collisions end at {}",
-          who, judged.decades, precision, law_of(judged),
-          judged.collapse_time
-              ? fmt::format("{} +- {:.1g}", *judged.collapse_time, judged.uncertainty.value_or(0))
-              : std::string("a time that was not extrapolated"));
-    case Finding::near_collapse:
-      return fmt::format(
-          "the gaps of {} fall together to 1e-{} and grow again to 1e-{}, with digits of {} to "
-          "spare",
-          who, judged.decades, whole(judged.reopened_to.value_or(0)), precision);
-    case Finding::exact_contact:
-      return fmt::format(
-          "gaps of {} are zero in {} without having decayed: contact by symmetry or by the start",
-          who, precision);
-    default:
-      break;
+/// The approach before in which some of the same spheres had used up the digits of the trial.
+const SeenApproach* spent_before(const SeenApproach& seen, const FollowedGroup& top) {
+  const SeenApproach* last = nullptr;
+  for (const SeenApproach& other : top.seen) {
+    if (&other == &seen) break;
+    const bool is_spent = other.evidence.approach.is_spent &&
+                          judge(other.evidence, top.limit) != Finding::exact_contact;
+    if (is_spent && have_common(other.spheres, seen.spheres)) last = &other;
   }
-  if (!approach.is_spent) {
-    return fmt::format(
-        "the gaps of {} were still falling at 1e-{} when the trial in {} ended; more --seconds or "
-        "--collisions would decide",
-        who, judged.decades, precision);
+  return last;
+}
+
+/// Lets a finding say no more than was seen: what rounding may have made is no exact contact, and
+/// what comes after the end of the digits is said to be made by the overlap rule.
+void weigh_rounding(JudgedApproach& judged, const SeenApproach& seen,
+                    const std::vector<FollowedGroup>& ladder) {
+  const FollowedGroup& top = ladder.back();
+  const bool is_rounded = was_rounded(seen.begin_depth, ladder);
+  const SeenApproach* const spent = spent_before(seen, top);
+  if (judged.finding == Finding::exact_contact && (is_rounded || spent)) {
+    judged.finding = Finding::undecided;
+    judged.sentence = fmt::format("gaps of {} spheres ({}) are zero in {}", judged.spheres.size(),
+                                  names_of(judged.spheres), word(judged.precision));
   }
-  if (judged.ratio && !converges(*judged.ratio)) {
-    return fmt::format(
-        "the gaps of {} fall until the digits of {} are spent, but the ratio of their rounds "
-        "({:.6g})"
-        " still drifts: more digits would tell whether it stays below one",
-        who, precision, judged.ratio->ratio);
+  if (spent) {
+    judged.sentence += fmt::format(
+        "; this comes after the digits were spent at collision {}, from what the overlap rule has "
+        "made of it",
+        spent->first_collision);
+  } else if (is_rounded) {
+    judged.sentence += fmt::format(
+        "; the rounding of the run in {} had closed gaps of theirs already at collision {}, from "
+        "where they were followed: a run with a higher collision.precision would decide",
+        word(ladder.front().trial.precision), top.begin.collisions);
   }
-  return fmt::format(
-      "the gaps of {} fall until the digits of {} are spent, by one law over {:.0f} decades only; "
-      "more digits would decide",
-      who, precision, judged.steady ? judged.steady->decades : 0.0);
 }
 
 JudgedApproach judged(const SeenApproach& seen, const std::vector<FollowedGroup>& ladder,
@@ -132,6 +114,7 @@ JudgedApproach judged(const SeenApproach& seen, const std::vector<FollowedGroup>
                         .steady = approach.steady,
                         .reopened_to = approach.reopened_to,
                         .milestones = seen.milestones,
+                        .followed_from = top.begin.collisions,
                         .run_hit = group.first_hit};
   if (seen.collapse_time && judged.finding == Finding::singular) {
     judged.collapse_time = to_error(*seen.collapse_time, seen.uncertainty.value_or(0));
@@ -141,13 +124,52 @@ JudgedApproach judged(const SeenApproach& seen, const std::vector<FollowedGroup>
     judged.losses.push_back(loss_of(*lower, top, seen));
   }
   judged.sentence = sentence_of(judged, approach);
+  weigh_rounding(judged, seen, ladder);
   return judged;
 }
 
-/// A group that no cluster belongs to in the highest precision: a pair that met once.
-JudgedApproach judged_pair(const HitGroup& group, const FollowedGroup& top) {
-  JudgedApproach judged{
-      .precision = top.trial.precision, .spheres = group.spheres, .run_hit = group.first_hit};
+/// What is said of a pair that met once, from its smallest gap.
+void judge_pair(JudgedApproach& judged, const HitGroup& group, const DepthRow& deepest,
+                const std::vector<FollowedGroup>& ladder) {
+  const std::string precision = word(judged.precision);
+  if (!deepest.at_limit) {
+    judged.finding = Finding::chance_close_pair;
+    judged.sentence =
+        deepest.depth < least_approach_depth
+            ? fmt::format(
+                  "{} and {} do not come close: with the digits of {} their gap is 1e-{:.1f}",
+                  group.i, group.j, precision, deepest.depth)
+            : fmt::format(
+                  "{} and {} come close once: with the digits of {} their gap is 1e-{:.1f}, and it "
+                  "does not go on falling",
+                  group.i, group.j, precision, deepest.depth);
+    return;
+  }
+  const std::int64_t begin = judged.followed_from;
+  if (was_rounded(ladder.back().begin.depth, ladder)) {
+    judged.sentence = fmt::format(
+        "the gap of {} and {} is zero in {} too, but the rounding of the run in {} had closed gaps "
+        "already at collision {}, from where they were followed: a run with a higher "
+        "collision.precision would decide",
+        group.i, group.j, precision, word(ladder.front().trial.precision), begin);
+    return;
+  }
+  judged.finding = Finding::exact_contact;
+  judged.sentence = fmt::format(
+      "the gap of {} and {} is zero in {} too, and nothing decays: contact by symmetry or by the "
+      "start",
+      group.i, group.j, precision);
+}
+
+/// A group that no cluster belongs to in the highest precision: a pair that met once; nothing where
+/// it has not met.
+std::optional<JudgedApproach> judged_pair(const HitGroup& group,
+                                          const std::vector<FollowedGroup>& ladder) {
+  const FollowedGroup& top = ladder.back();
+  JudgedApproach judged{.precision = top.trial.precision,
+                        .spheres = group.spheres,
+                        .followed_from = top.begin.collisions,
+                        .run_hit = group.first_hit};
   const DepthRow* deepest = nullptr;
   std::size_t place = 0;
   for (std::size_t k = 0; k < top.rows.size(); ++k) {
@@ -157,30 +179,25 @@ JudgedApproach judged_pair(const HitGroup& group, const FollowedGroup& top) {
     deepest = &row;
     place = k;
   }
-  if (!deepest) {
-    judged.sentence = fmt::format(
-        "{} and {}, whose hit the run has at collision {}, did not meet in the trial in {}",
-        group.i, group.j, group.first_hit, word(judged.precision));
-    return judged;
-  }
+  if (!deepest) return std::nullopt;
   judged.first_collision =
       std::max<std::int64_t>(top.first_number + static_cast<std::int64_t>(place) - 1, 0);
   judged.first_time = fmt::format("{}", group.first_time);
   judged.decades = whole(deepest->depth);
-  if (deepest->at_limit) {
-    judged.finding = Finding::exact_contact;
-    judged.sentence = fmt::format(
-        "the gap of {} and {} is zero in {} too, and nothing decays: contact by symmetry or by the "
-        "start",
-        group.i, group.j, word(judged.precision));
-  } else {
-    judged.finding = Finding::chance_close_pair;
-    judged.sentence = fmt::format(
-        "{} and {} come close once: with the digits of {} their gap is 1e-{:.1f}, and it does not "
-        "go on falling",
-        group.i, group.j, word(judged.precision), deepest->depth);
-  }
+  judge_pair(judged, group, *deepest, ladder);
   return judged;
+}
+
+JudgedApproach not_met(const HitGroup& group, const FollowedGroup& top) {
+  return {.sentence = fmt::format(
+              "{} and {}, whose hit the run has at collision {}, do not meet in {} when followed "
+              "from collision {}, where the run was rounded otherwise: a run with a higher "
+              "collision.precision would have hits of its own",
+              group.i, group.j, group.first_hit, word(top.trial.precision), top.begin.collisions),
+          .precision = top.trial.precision,
+          .spheres = group.spheres,
+          .followed_from = top.begin.collisions,
+          .run_hit = group.first_hit};
 }
 
 bool holds(const std::vector<JudgedApproach>& judged, Finding finding) {
@@ -205,6 +222,7 @@ JudgedApproach cut_off(const HitGroup& group, const FollowedGroup& top) {
           .decades = whole(trial.deepest),
           .first_collision = trial.collisions,
           .first_time = trial.time,
+          .followed_from = top.begin.collisions,
           .run_hit = group.first_hit};
 }
 
@@ -220,7 +238,11 @@ std::vector<JudgedApproach> judge_group(const HitGroup& group,
   const FollowedGroup& top = ladder.back();
   std::vector<JudgedApproach> all;
   for (const SeenApproach& seen : top.seen) all.push_back(judged(seen, ladder, group));
-  if (all.empty()) all.push_back(judged_pair(group, top));
+  if (all.empty()) {
+    const auto pair = judged_pair(group, ladder);
+    all.push_back(pair || !was_cut_off(top) ? pair.value_or(not_met(group, top))
+                                            : cut_off(group, top));
+  }
   if (was_cut_off(top) && !holds(all, Finding::singular) && !holds(all, Finding::undecided)) {
     all.push_back(cut_off(group, top));
   }
@@ -241,9 +263,20 @@ std::vector<JudgedApproach> judge_group(const HitGroup& group,
   return all;
 }
 
+std::vector<JudgedApproach>::iterator strongest(std::vector<JudgedApproach>& approaches) {
+  return std::max_element(
+      approaches.begin(), approaches.end(),
+      [](const JudgedApproach& a, const JudgedApproach& b) { return a.finding < b.finding; });
+}
+
 bool wants_more_digits(const FollowedGroup& top) {
   return std::any_of(top.seen.begin(), top.seen.end(), [&](const SeenApproach& seen) {
-    return seen.evidence.approach.is_spent && judge(seen.evidence, top.limit) == Finding::undecided;
+    const ClusterApproach& approach = seen.evidence.approach;
+    // Elastic gaps that are zero by symmetry are rounded to the last digit of any precision.
+    const bool is_reversed =
+        seen.evidence.is_dissipative && approach.deepest > top.limit - digits_to_spare;
+    const bool is_at_end = approach.is_spent || is_reversed;
+    return is_at_end && judge(seen.evidence, top.limit) == Finding::undecided;
   });
 }
 

@@ -16,6 +16,9 @@ namespace zenosphere {
 std::vector<JudgedApproach> judge_group(const HitGroup& group,
                                         const std::vector<FollowedGroup>& ladder);
 
+/// The first approach of the strongest finding; the end where there is none.
+std::vector<JudgedApproach>::iterator strongest(std::vector<JudgedApproach>& approaches);
+
 /// Whether more digits may tell more: an approach has used up those there were without a decision.
 bool wants_more_digits(const FollowedGroup& top);
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 
 #include "io/case_box.hpp"
+#include "io/case_words.hpp"
 #include "proof/certify_rods.hpp"
+#include "run/approach_sentence.hpp"
+#include "run/judge_group.hpp"
 
 namespace zenosphere {
 namespace {
@@ -61,12 +64,9 @@ std::string sentence_of(const Certificate& certificate) {
 }
 
 void prove(const Certificate& certificate, Adjudication& adjudication) {
-  auto& all = adjudication.approaches;
-  const auto strongest = std::max_element(
-      all.begin(), all.end(),
-      [](const JudgedApproach& a, const JudgedApproach& b) { return a.finding < b.finding; });
-  if (strongest == all.end()) return;
-  JudgedApproach& proven = *strongest;
+  const auto found = strongest(adjudication.approaches);
+  if (found == adjudication.approaches.end()) return;
+  JudgedApproach& proven = *found;
   proven.finding = Finding::proven;
   proven.spheres.assign(certificate.spheres.begin(), certificate.spheres.end());
   std::sort(proven.spheres.begin(), proven.spheres.end());
@@ -79,15 +79,31 @@ void prove(const Certificate& certificate, Adjudication& adjudication) {
   proven.sentence = sentence_of(certificate);
 }
 
-void refute(const Certificate& certificate, Adjudication& adjudication) {
+std::string end_of(const Certificate& certificate, const Case& values) {
+  if (certificate.kind == Certificate::Kind::escapes) {
+    return fmt::format("no two rods approach each other any more after {} collisions",
+                       certificate.collisions);
+  }
+  return fmt::format("there are {} collisions until run.time = {}, and no more",
+                     certificate.collisions, decimal(*values.run.time));
+}
+
+/// Only what was followed from the start itself is what the proof is about.
+void refute(const std::string& end, Adjudication& adjudication) {
   for (JudgedApproach& one : adjudication.approaches) {
+    if (one.followed_from > 0) continue;
+    if (one.finding == Finding::near_collapse) {
+      one.sentence += fmt::format("; in exact fractions {}", end);
+      continue;
+    }
     if (one.finding != Finding::singular && one.finding != Finding::undecided) continue;
     one.finding = Finding::near_collapse;
     one.collapse_time.reset();
     one.uncertainty.reset();
     one.sentence = fmt::format(
-        "{}; but in exact fractions no two rods approach each other any more after {} collisions",
-        one.sentence, certificate.collisions);
+        "the gaps of {} rods ({}) fall together to 1e-{} as far as {} tells, and grow again: in "
+        "exact fractions {}",
+        one.spheres.size(), names_of(one.spheres), one.decades, word(one.precision), end);
   }
 }
 
@@ -97,12 +113,16 @@ std::optional<Certificate> certificate_of(const Case& values, const std::atomic<
   if (!is_of_rods(values)) return std::nullopt;
   RodLimits limits{.contacts = most_contacts};
   limits.interrupt = interrupt;
+  if (values.run.time) limits.until = decimal(*values.run.time);
   return certify_rods(start_of_rods(values), limits);
 }
 
-void apply(const Certificate& certificate, Adjudication& adjudication) {
-  if (certificate.kind == Certificate::Kind::proven) prove(certificate, adjudication);
-  if (certificate.kind == Certificate::Kind::escapes) refute(certificate, adjudication);
+void apply(const Certificate& certificate, const Case& values, Adjudication& adjudication) {
+  using Kind = Certificate::Kind;
+  if (certificate.kind == Kind::proven) prove(certificate, adjudication);
+  if (certificate.kind == Kind::escapes || certificate.kind == Kind::finite) {
+    refute(end_of(certificate, values), adjudication);
+  }
 }
 
 }  // namespace zenosphere

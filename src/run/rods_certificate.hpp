@@ -17,7 +17,10 @@ namespace zenosphere {
 std::optional<Certificate> certificate_of(const Case& values, const std::atomic<bool>* interrupt);
 
 /// Lets a proof decide: a collapse that is proven becomes the finding of the strongest approach;
-/// where the rods are proven to fly apart, an approach that looked singular is a near-collapse.
-void apply(const Certificate& certificate, Adjudication& adjudication);
+/// where the rods are proven to fly apart, or to collide so often and no more until run.time, an
+/// approach that looked singular or was undecided is a near-collapse.
+///
+/// \param values  the case of the certificate
+void apply(const Certificate& certificate, const Case& values, Adjudication& adjudication);
 
 }  // namespace zenosphere

@@ -8,16 +8,6 @@
 #include "run/ending.hpp"
 
 namespace zenosphere {
-namespace {
-
-bool is_of(const HitGroup& group, const DepthRow& row) {
-  const auto is_in = [&](std::int32_t sphere) {
-    return std::binary_search(group.spheres.begin(), group.spheres.end(), sphere);
-  };
-  return is_in(row.i) || is_in(row.j);
-}
-
-}  // namespace
 
 template <int Dim, class Real>
 TrialRun<Dim, Real>::TrialRun(const Case& values)
@@ -97,6 +87,7 @@ void TrialRun<Dim, Real>::observe(const Collision<Dim, Real>& collision, const T
   // The start is not a state after a collision.
   const double depth = collision.number > 1 ? decades_of(collision.gap_before, limit_) : 0.0;
   const DepthRow row{collision.i, collision.j, depth, depth >= limit_};
+  last_row_ = row;
   if (!row.at_limit) deepest_ = std::max(deepest_, row.depth);
   if (end.followed && row.depth >= least_approach_depth && is_of(*end.followed, row)) {
     last_deep_ = collision.number;

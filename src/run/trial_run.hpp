@@ -14,6 +14,7 @@
 #include "flow/measurements.hpp"
 #include "io/adjudication.hpp"
 #include "io/case.hpp"
+#include "run/cluster_gaps.hpp"
 #include "run/hit_groups.hpp"
 #include "run/kept_collisions.hpp"
 #include "run/random_driving.hpp"
@@ -51,6 +52,10 @@ class TrialRun {
   std::int64_t hits() const { return separation_.hits(); }
   const ArrestCriterion<Dim, Real>& arrest() const { return arrest_; }
   const std::string& ended_by() const { return ended_by_; }
+  /// The collision observed last, after one.
+  const DepthRow& last_row() const { return last_row_; }
+  /// Where the spheres are now.
+  ClusterGaps<Dim, Real> gaps() const { return ClusterGaps<Dim, Real>(simulation_); }
   Trial trial() const;
 
   /// Decades of the resolution of Real: gaps below it are rounding.
@@ -85,6 +90,7 @@ class TrialRun {
   double deepest_ = 0;    ///< decades
   double last_time_ = 0;  ///< of the last collision
   std::string ended_by_;
+  DepthRow last_row_;
   std::int64_t last_deep_ = 0;  ///< collision of the followed spheres
   std::chrono::steady_clock::time_point next_look_{};
   std::int64_t rows_at_limit_ = 0;  ///< likewise

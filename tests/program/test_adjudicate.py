@@ -2,6 +2,8 @@
 
 import json
 import pathlib
+import signal
+import subprocess
 
 import h5py
 import pytest
@@ -30,6 +32,27 @@ overlap = "rewind"
 window = 1000
 [run]
 time = 30
+"""
+
+GAS = """
+[system]
+dimension = 3
+spheres = 1000
+restitution = 0.2
+solids_volume_fraction = 0.2
+[start]
+arrangement = "random"
+granular_temperature = 1.0
+seed = 431455498415862
+[drive]
+kind = "shear"
+shear_rate = 1.0
+[collision]
+overlap = "rewind"
+[collapse]
+window = 10000
+[run]
+collisions = 36500
 """
 
 
@@ -124,6 +147,64 @@ def test_collapse_under_shear_stays_with_more_digits(program):
 def test_symmetric_contacts_are_exact_and_no_singularity(program, name, values):
     result = adjudicated(program, given(program, "symmetric.toml", **values))
     assert {a["finding"] for a in result["approaches"]} == {"exact contact"}, name
+
+
+@pytest.mark.parametrize("restitution, finding", [(0.0717957, "proven"),
+                                                  (0.0717977, "near-collapse")])
+def test_three_rods_are_told_from_each_other_within_a_millionth_of_the_threshold(
+        program, restitution, finding):
+    """7 - 4 sqrt(3) = 0.0717968. Above it the gaps fall to 1e-532 before they grow again."""
+    result = adjudicated(program, RODS, "--set", f"system.restitution={restitution}")
+    assert [a["finding"] for a in result["approaches"]] == [finding]
+    if finding == "near-collapse":
+        assert "in exact fractions there are" in result["sentence"]
+        assert result["approaches"][0]["collapse_time"] is None
+
+
+@pytest.mark.parametrize("restitution, finding", [(0.1714729, "proven"),
+                                                  (0.1716729, "near-collapse")])
+def test_four_rods_are_told_from_each_other_within_a_ten_thousandth_of_the_threshold(
+        program, restitution, finding):
+    """3 - 2 sqrt(2) = 0.1715729."""
+    case = given(program, "four.toml", dimension=1, spheres=4, restitution=restitution,
+                 sides=[100], positions=[10, 11.2, 12.7, 14], velocities=[1, 0, 0, -1])
+    result = adjudicated(program, case)
+    assert result["finding"] == finding
+    assert "in exact fractions" in result["sentence"]
+
+
+def test_hits_after_a_rounded_collapse_are_no_exact_contact(program):
+    """Random starts have no symmetry. The group from collision 35828 on is of spheres that collapsed
+    a hundred collisions before, where the run's rounding had closed their gaps."""
+    program.case.write_text(GAS)
+    result = adjudicated(program, program.case, "--up-to", "quad")
+    findings = {(a["run_hit"], a["finding"]) for a in result["approaches"]}
+    assert "exact contact" not in {finding for _, finding in findings}
+    assert (35828, "singular") in findings
+    later = next(a for a in result["approaches"] if a["run_hit"] == 35828)
+    assert 35728 < later["followed_from"] < 35828
+
+
+def test_singular_approach_in_three_dimensions_is_enclosed_to_the_end_of_the_digits(program):
+    program.case.write_text(GAS)
+    result = adjudicated(program, program.case, "--set", "system.spheres=500",
+                         "--set", "system.restitution=0.1", "--set", "start.seed=1",
+                         "--set", "system.solids_volume_fraction=0.1",
+                         "--set", "run.collisions=1500")
+    first, *others = [a for a in result["approaches"] if a["finding"] == "singular"]
+    assert first["enclosed_to"] >= 99
+    assert f"enclosed to 1e-{first['enclosed_to']}" in first["sentence"]
+    assert all(a["enclosed_to"] is None for a in others)
+
+
+def test_interrupt_before_the_first_hit_says_so(program):
+    endless = program.command("adjudicate", program.case, "--set", "run.collisions=1000000000000")
+    process = subprocess.Popen(endless, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    program.pause(1)  # elastic enough that it never has a hit
+    process.send_signal(signal.SIGINT)
+    output, error = process.communicate(timeout=60)
+    assert process.returncode == 130, error
+    assert "interrupted at collision" in output and "before a separation hit" in output
 
 
 def test_four_rods_below_their_threshold_are_singular(program):

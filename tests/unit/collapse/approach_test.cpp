@@ -41,6 +41,16 @@ TEST(Approaches, GapsThatGrowAgainAreReopened) {
   EXPECT_LT(*found[0].reopened_to, 3);
 }
 
+TEST(Approaches, ReopeningIsToldUpToItsEnd) {
+  auto rows = falling(121, 0.1);  // down to 1e-13, then up to 1e-8.4, and down to the limit
+  for (int k = 0; k < 46; ++k) rows.push_back({k % 2, k % 2 + 1, 13 - 0.1 * k, false});
+  for (int k = 0; k < 70; ++k) rows.push_back({k % 2, k % 2 + 1, 8.4 + 0.1 * k, false});
+  const auto found = approaches_of(rows, limit, least_approach_depth);
+  ASSERT_EQ(found.size(), 2u);
+  ASSERT_TRUE(found[0].reopened_to);
+  EXPECT_LE(*found[0].reopened_to, 13 - 4);  // a quarter of the 16 decades, at least
+}
+
 TEST(Approaches, StaircaseWithSmallStepsIsOneApproach) {
   std::vector<DepthRow> rows;
   for (int k = 0; k < 400; ++k) {

@@ -41,6 +41,16 @@ TEST(Findings, GapsThatReopenWithDigitsToSpareAreANearCollapse) {
   EXPECT_EQ(judge(evidence, limit), Finding::near_collapse);
 }
 
+TEST(Findings, GapsThatReopenWhereTheDigitsEndAreUndecided) {
+  auto evidence = singular_evidence();
+  evidence.approach.is_spent = false;
+  evidence.approach.reopened_to = 10;
+  evidence.approach.deepest = 98;
+  EXPECT_EQ(judge(evidence, limit), Finding::undecided);
+  evidence.approach.deepest = 95;
+  EXPECT_EQ(judge(evidence, limit), Finding::near_collapse);
+}
+
 TEST(Findings, ZeroGapsThatHaveNotDecayedAreAnExactContact) {
   auto evidence = singular_evidence();
   evidence.approach.visited = 0;

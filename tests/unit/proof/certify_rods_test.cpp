@@ -75,6 +75,24 @@ TEST(CertifyRods, ThreeRodsCollapseAMillionthBelowTheThresholdAndEscapeAMilliont
   EXPECT_TRUE(below.exact.empty());  // a^2 - 4e is no square
 }
 
+// On a line of period 100 the outer two meet around the end at last, long after time 10.
+TEST(CertifyRods, RodsOnAPeriodicLineAreProvenToMeetSoOftenAndNoMoreUntilATime) {
+  RodsStart start = triple("0.0717977");
+  const auto alone = certify_rods(start);
+  start.period = "100";
+  const Certificate certificate = certify_rods(start, {.until = "10"});
+  EXPECT_EQ(certificate.kind, Kind::finite);
+  EXPECT_GT(certificate.collisions, 900);
+  EXPECT_LE(certificate.collisions, alone.collisions);
+  EXPECT_EQ(certify_rods(start, {.contacts = 3000}).kind, Kind::none);
+}
+
+TEST(CertifyRods, CollapseAfterTheTimeAskedForIsNotProven) {
+  // The end is at 40/11 = 3.6.
+  EXPECT_EQ(certify_rods(triple("0.05"), {.until = "0.5"}).kind, Kind::finite);
+  EXPECT_EQ(certify_rods(triple("0.05"), {.until = "4"}).kind, Kind::proven);
+}
+
 // 3 - 2 sqrt(2) = 0.171572875...
 TEST(CertifyRods, FourRodsCollapseBelowTheThresholdAndEscapeAbove) {
   const Certificate below = certify_rods(four_rods("0.17147"));

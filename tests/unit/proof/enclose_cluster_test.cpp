@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/real.hpp"
+#include "proof/ball_spheres.hpp"
 #include "proof/exact_rods.hpp"
 
 namespace zenosphere {

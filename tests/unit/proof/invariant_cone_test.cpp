@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "proof/contact_word.hpp"
+#include "model/repeated_round.hpp"
+#include "proof/letters.hpp"
 #include "proof/rational_eigenvalue.hpp"
 
 namespace zenosphere {
@@ -61,8 +62,8 @@ TEST(SimplestBetween, IsTheFractionOfTheSmallestDenominator) {
 
 TEST(RepeatingWord, IsTheShortestThatRepeatsThreeTimes) {
   const auto word = [](const std::vector<int>& history) {
-    const auto found = repeating_word(history);
-    return found ? word_text(*found) : "";
+    const auto found = round_at_end(history);
+    return found ? text_of_letters(first_rotation(*found)) : "";
   };
   EXPECT_EQ(word({5, 0, 1, 0, 1, 0, 1}), "ab");
   EXPECT_EQ(word({1, 2, 1, 0, 1, 2, 1, 0, 1, 2, 1, 0}), "abcb");

@@ -1,0 +1,97 @@
+#include "run/approach_sentence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/case_words.hpp"
+
+namespace zenosphere {
+namespace {
+
+std::string law_of(const JudgedApproach& judged) {
+  std::string law;
+  if (judged.steady) {
+    law = fmt::format("{:.0f} decades by one law, {:.3g} decades a collision",
+                      judged.steady->decades, judged.steady->per_collision);
+  }
+  if (judged.word.is_periodic && judged.ratio) {
+    law += fmt::format("{}word {} with ratio {:.6g}", law.empty() ? "" : "; ", judged.word.letters,
+                       judged.ratio->ratio);
+  }
+  return law;
+}
+
+/// What leaves an approach undecided.
+std::string doubt_of(const JudgedApproach& judged, const ClusterApproach& approach,
+                     const std::string& who) {
+  const std::string precision = word(judged.precision);
+  if (approach.reopened_to) {
+    return fmt::format(
+        "the gaps of {} fall to 1e-{}, where the digits of {} end, and grow again: more digits "
+        "would tell whether rounding has done that",
+        who, judged.decades, precision);
+  }
+  if (!approach.is_spent) {
+    return fmt::format(
+        "the gaps of {} were still falling at 1e-{} when the trial in {} ended; more --seconds or "
+        "--collisions would decide",
+        who, judged.decades, precision);
+  }
+  if (judged.ratio && !converges(*judged.ratio)) {
+    return fmt::format(
+        "the gaps of {} fall until the digits of {} are spent, but the ratio of their rounds "
+        "({:.6g})"
+        " still drifts: more digits would tell whether it stays below one",
+        who, precision, judged.ratio->ratio);
+  }
+  return fmt::format(
+      "the gaps of {} fall until the digits of {} are spent, by one law over {:.0f} decades only; "
+      "more digits would decide",
+      who, precision, judged.steady ? judged.steady->decades : 0.0);
+}
+
+}  // namespace
+
+std::string names_of(const std::vector<std::int32_t>& spheres) {
+  constexpr std::size_t most = 6;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(spheres.size(), most); ++k) {
+    names += fmt::format("{}{}", k == 0 ? "" : "-", spheres[k]);
+  }
+  return spheres.size() > most ? names + "-..." : names;
+}
+
+std::string sentence_of(const JudgedApproach& judged, const ClusterApproach& approach) {
+  const std::string who =
+      fmt::format("{} spheres ({})", judged.spheres.size(), names_of(judged.spheres));
+  const std::string precision = word(judged.precision);
+  switch (judged.finding) {
+    case Finding::singular:
+      return fmt::format(
+          "the gaps of {} fall to 1e-{}, all that {} has, {}, with energy lost; if they go on so, "
+          "infinitely many collisions end at {}{}",
+          who, judged.decades, precision, law_of(judged),
+          judged.collapse_time
+              ? fmt::format("{} +- {:.1g}", *judged.collapse_time, judged.uncertainty.value_or(0))
+              : std::string("a time that was not extrapolated"),
+          judged.reopened_to
+              ? "; behind the last digit they grow again, by the overlap rule or, as "
+                "more digits might show, by themselves"
+              : "");
+    case Finding::near_collapse:
+      return fmt::format(
+          "the gaps of {} fall together to 1e-{} and grow again, half of them to 1e-{} and more, "
+          "with digits of {} to spare",
+          who, judged.decades, whole(judged.reopened_to.value_or(0)), precision);
+    case Finding::exact_contact:
+      return fmt::format(
+          "gaps of {} are zero in {} without having decayed: contact by symmetry or by the start",
+          who, precision);
+    default:
+      return doubt_of(judged, approach, who);
+  }
+}
+
+}  // namespace zenosphere
