@@ -61,6 +61,7 @@ class Rows {
       frame.positions[frame.positions.size() - origin_.size() + axis] -= origin_[axis];
     }
     append(columns_.velocity, frame.velocities);
+    for (std::size_t n = 0; n < columns_.momentum.count; ++n) require_mass_one(n);
     for (const auto& fixed : columns_.fixed) require(fixed);
     // X is the element without a name, whose mass is 1.
     const bool has_mass = columns_.has_masses || words_.front() == "X";
@@ -96,8 +97,17 @@ class Rows {
     }
   }
 
+  /// A component of the momentum beside the velocity must be the same number.
+  void require_mass_one(std::size_t axis) const {
+    const double momentum = number_at(columns_.momentum.first + axis);
+    const double velocity = number_at(columns_.velocity.first + axis);
+    if (std::abs(momentum - velocity) <= equal * std::abs(velocity)) return;
+    lines_.reject(
+        fmt::format("momentum {} beside {} {} (they are equal: mass is the unit); keep one",
+                    momentum, columns_.velocity_name, velocity));
+  }
+
   void require(const xyz::Columns::Fixed& fixed) const {
-    constexpr double equal = 1e-9;  // files in text often have ten digits
     const double number = number_at(fixed.column);
     if (std::abs(number - fixed.value) <= equal) return;
     lines_.reject(
@@ -105,6 +115,8 @@ class Rows {
                     "the file in them",
                     fixed.name, number, fixed.value));
   }
+
+  static constexpr double equal = 1e-9;  // files in text often have ten digits
 
   const xyz::Columns& columns_;
   const std::vector<double>& origin_;
