@@ -80,9 +80,12 @@ Objection integer_out_of_range(const Decimal& decimal) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc()) return std::nullopt;
-  return fmt::format("(integers are in [{}, {}]); write {:.17g} if a real number will do",
-                     std::numeric_limits<std::int64_t>::min(),
-                     std::numeric_limits<std::int64_t>::max(), std::strtod(text.c_str(), nullptr));
+  using Limits = std::numeric_limits<std::int64_t>;
+  const std::string limit = decimal.is_negative
+                                ? fmt::format("too small: integers are at least {}", Limits::min())
+                                : fmt::format("too large: integers are at most {}", Limits::max());
+  return fmt::format("({}); where a real number will do, write {:.17g}", limit,
+                     std::strtod(text.c_str(), nullptr));
 }
 
 Objection real_out_of_range(const Decimal& decimal) {
