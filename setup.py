@@ -1,4 +1,4 @@
-"""Builds the compiled part of the package with CMake; the rest is in pyproject.toml.
+"""Builds the compiled part of the package and the program with CMake; the rest is in pyproject.toml.
 
 CMake's build folder is `build`, or what the environment variable ZENOSPHERE_BUILD names: what is
 built there already is not built again.
@@ -24,7 +24,8 @@ class BuildWithCMake(build_ext):
         folder = CHECKOUT / os.environ.get("ZENOSPHERE_BUILD", "build")
         if not (folder / "CMakeCache.txt").exists():
             self._configure(folder)
-        subprocess.run(["cmake", "--build", folder, "--target", "zenosphere_module"], check=True)
+        subprocess.run(["cmake", "--build", folder, "--target", "zenosphere_module", "zenosphere"],
+                       check=True)
         built = folder / "python" / "zenosphere" / CORE
         if not built.exists():
             raise SystemExit(f"{built}: is not there ({folder} builds for another Python); set"
@@ -32,6 +33,9 @@ class BuildWithCMake(build_ext):
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(built, target)
+        program = target.parent / "bin" / "zenosphere"  # which the command `zenosphere` starts
+        program.parent.mkdir(exist_ok=True)
+        shutil.copy2(folder / "zenosphere", program)
 
     @staticmethod
     def _configure(folder):

@@ -1,22 +1,26 @@
 """Zenosphere: inelastic hard spheres by events, and whether they collapse.
 
-`Run` and `Case` run the simulator from Python (docs/python.md); they need the compiled part of the
-package. The rest reads output files and draws the figures and reports: `python3 -m zenosphere
---help`.
+`Case` describes a run, `Run` does it, `open` reads what one has recorded (docs/python.md). They
+need the compiled part of the package. The rest draws figures and writes reports: `python3 -m
+zenosphere --help`.
 """
 
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from .errors import InputError, OutputError
 
 if TYPE_CHECKING:
     from .case import Case
+    from .output import Output, open
     from .run import COLLISION_DTYPE, Run, State
 
-__all__ = ["COLLISION_DTYPE", "Case", "InputError", "OutputError", "Run", "State"]
+__all__ = ["COLLISION_DTYPE", "Case", "InputError", "Output", "OutputError", "Run", "State", "open"]
+__version__ = "0.1.0"  # of CMakeLists.txt
 
-_COMPILED = {"COLLISION_DTYPE": ".run", "Case": ".case", "Run": ".run", "State": ".run"}
+_COMPILED = {"COLLISION_DTYPE": ".run", "Case": ".case", "Output": ".output", "Run": ".run",
+             "State": ".run", "open": ".output"}
 
 
 def __getattr__(name: str) -> Any:
@@ -31,3 +35,9 @@ def __getattr__(name: str) -> Any:
         raise ImportError(f"zenosphere.{name}: needs the compiled part of the package ({error});"
                           " build it and use PYTHONPATH=build/python, or pip install it"
                           " (docs/python.md)") from error
+
+
+def __dir__() -> list[str]:
+    """Names for completion and `help`: those of the compiled part where that is there."""
+    hidden = set() if find_spec("._core", __name__) else set(_COMPILED)
+    return sorted((set(globals()) | set(__all__)) - hidden)

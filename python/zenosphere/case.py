@@ -18,10 +18,13 @@ class Case:
 
     tables: the case as nested dicts, `{"system": {"spheres": 108, ...}, ...}`; numbers may be
     NumPy's
-    overrides: `{"system.restitution": 0.2}`, as `--set` of the program
+    overrides: keys with the values that they get instead, `{"system.restitution": 0.2}`
     name: what the messages call the case; a relative `start.file` is meant from its folder
     Raises InputError, one line for each problem, with the texts of the program. In a case from a
     dict they name the key, `case: system.restitution = 1.2 (must be in [0, 1]; 1 is elastic)`.
+
+    Cases are equal if they describe the same run, key by key, whatever text they were read from.
+    They can be pickled, and so given to the processes of `multiprocessing`.
     """
 
     def __init__(self, tables: Mapping[str, Mapping[str, Any]], *,
@@ -68,7 +71,21 @@ class Case:
         """What follows from the case, for people, as `zenosphere check` prints it."""
         return self._core.derived
 
+    def __eq__(self, other: object) -> bool:
+        return self.resolved == other.resolved if isinstance(other, Case) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.resolved)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self.resolved, self.text)
+
     def __repr__(self) -> str:
         system = self.tables["system"]
         return (f"<zenosphere.Case: {system['spheres']} spheres, {system['dimension']} dimensions,"
                 f" restitution {system.get('restitution')}>")
+
+
+def _restored(resolved: str, text: str) -> Case:
+    """A case that was pickled."""
+    return Case._of(_core.Case.restored(resolved, text))

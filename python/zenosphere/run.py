@@ -4,7 +4,7 @@ import json
 import operator
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from types import TracebackType
 from typing import Any
 
@@ -25,7 +25,7 @@ the walls), gap float64 (of the pair that collides next, diameters), normal_spee
 """
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class State:
     """The N spheres in D dimensions at one time, in the laboratory frame.
 
@@ -49,6 +49,15 @@ class State:
     peculiar_velocities: NDArray[np.float64]
     box_edges: NDArray[np.float64]
 
+    def __eq__(self, other: object) -> bool:
+        """Whether all numbers are equal."""
+        if not isinstance(other, State):
+            return NotImplemented
+        return all(np.array_equal(getattr(self, field.name), getattr(other, field.name))
+                   for field in fields(self))
+
+    __hash__ = None  # type: ignore[assignment]  # arrays can be changed
+
     @property
     def granular_temperature(self) -> float:
         """Mean square of one component of the peculiar velocity now, (diameter/time)^2."""
@@ -67,7 +76,8 @@ class Run:
     its output can be read and resumed.
 
     case: a Case, nested dicts as for `Case(...)`, or the path of a TOML file
-    overrides: `{"system.restitution": 0.2}`, as `--set` of the program; not for a Case
+    overrides: keys with the values that they get instead, `{"system.restitution": 0.2}`; not for
+    a Case
     output: where to keep snapshots and collisions (HDF5, as `zenosphere run -o`); None keeps
     nothing
     overwrite: replace an existing output
@@ -85,8 +95,8 @@ class Run:
     def resume(cls, output: str | os.PathLike[str], *, overrides: Overrides | None = None) -> "Run":
         """Goes on with a run from the last checkpoint of its output file.
 
-        overrides: as `--set` of `zenosphere resume`; a run that has ended needs a larger limit, for
-        instance `{"run.collisions": 3_000_000}`
+        overrides: a run that has ended needs a larger limit, for instance
+        `{"run.collisions": 3_000_000}`
         Raises InputError where the file cannot be resumed, OutputError where it cannot be written.
         """
         run = cls.__new__(cls)
@@ -197,6 +207,10 @@ class Run:
         except OutputError:
             if error is None:  # else it is what ended the block already
                 raise
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError("zenosphere.Run: cannot be pickled (it belongs to its process); pass its"
+                        " case, or the path of its output")
 
     def __repr__(self) -> str:
         return f"<zenosphere.Run: {self.collisions} collisions, time {self.time:.6g}>"

@@ -32,9 +32,12 @@ def tables_text(tables: Mapping[str, Mapping[str, Any]], name: str) -> str:
 
 
 def override_texts(overrides: Mapping[str, Any] | None) -> list[str]:
-    """`{"system.restitution": 0.2}` as the arguments of `--set`."""
-    return [f"{key}={value_text(value, f'--set {key}')}"
-            for key, value in (overrides or {}).items()]
+    """`{"system.restitution": 0.2}` as the arguments of the program's `--set`."""
+    texts = []
+    for key, value in (overrides or {}).items():
+        where = f'overrides["{key}"]'
+        texts.append(f"{key}={value_text(value, where)}")
+    return texts
 
 
 def value_text(value: Any, where: str) -> str:

@@ -18,11 +18,13 @@ struct SweepPlan {
   double seconds(std::size_t workers) const;
 };
 
-/// The plan of a sweep.
+/// The plan of a sweep, with an estimate of the time it takes.
 ///
-/// Seconds come from the runs that a store holds already, or else from probes: a few runs spread
-/// over the grid, each for half a second at most and stretched to its limits. A run that would
-/// collapse earlier than its limits takes less.
+/// At a point of the grid where three runs are done, or one that went on to its limits, their mean
+/// counts for the others there. (The runs that are done first are those that ended early.) For the
+/// rest it is the mean of probes: a few runs spread over what is left, each for half a second at
+/// most and stretched to its limits, so that a run which would collapse later than that, but before
+/// its limits, takes less. Of a search it is the mean of all runs done, or else of probes.
 ///
 /// \param store  none: nothing has been done
 /// Throws InputError where the store holds another sweep.

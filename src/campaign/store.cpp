@@ -77,7 +77,8 @@ StoredRuns::StoredRuns(Database& database, const StoredSweep& sweep)
                       "LIMIT ?",
                       axis_columns(keys_), waits_for_adjudication(sweep)))),
       single_(database.statement(
-          fmt::format("SELECT run, seed{} FROM run WHERE run = ?", axis_columns(keys_)))) {}
+          fmt::format("SELECT run, seed{} FROM run WHERE run = ?", axis_columns(keys_)))),
+      highest_(database.statement("SELECT max(run) FROM run")) {}
 
 std::vector<RunTask> StoredRuns::pending(std::int64_t from, std::int64_t count) {
   std::vector<RunTask> tasks;
@@ -96,13 +97,19 @@ std::vector<RunTask> StoredRuns::pending(std::int64_t from, std::int64_t count) 
 
 RunTask StoredRuns::run(std::int64_t number) {
   single_.start(std::array<Cell, 1>{number});
-  if (!single_.step()) {
-    throw InputError(fmt::format("--run {}: there is no such run in {}; they are numbered from 0",
-                                 number, name_));
-  }
+  if (!single_.step()) reject(number);
   RunTask task = task_in_row(single_);
   single_.reset();
   return task;
+}
+
+void StoredRuns::reject(std::int64_t number) {
+  highest_.start({});
+  highest_.step();
+  const Cell highest = highest_.cell(0);
+  const auto* run = std::get_if<std::int64_t>(&highest);
+  throw InputError(fmt::format("--run {}: there is no such run in {} ({})", number, name_,
+                               run ? fmt::format("0 to {}", *run) : "it has none yet"));
 }
 
 RunTask StoredRuns::task_in_row(Statement& query) const {

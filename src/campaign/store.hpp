@@ -46,11 +46,13 @@ class StoredRuns {
 
  private:
   RunTask task_in_row(Statement& query) const;
+  [[noreturn]] void reject(std::int64_t number);
 
   std::string name_;
   std::vector<const case_format::Key*> keys_;
   Statement pending_;
   Statement single_;
+  Statement highest_;
 };
 
 /// The store of a sweep that this process writes: one SQLite file, one row for each run.

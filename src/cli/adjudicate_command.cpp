@@ -11,9 +11,11 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/values.hpp"
 #include "io/case_file.hpp"
 #include "io/keep_adjudication.hpp"
 #include "io/output_reader.hpp"
+#include "model/errors.hpp"
 #include "run/adjudicate.hpp"
 
 namespace zenosphere {
@@ -66,10 +68,11 @@ void add_adjudicate(CLI::App& app, int& status) {
   const auto read_precision = [arguments](const std::string& word) {
     arguments->up_to = Precision::from_word(word);
     if (arguments->up_to) return;
-    throw CLI::ValidationError(
-        "--up-to",
-        fmt::format("{} (must be double, extended, quad or digitsN with N from {} to {})", word,
-                    fewest_digits, most_digits));
+    const bool is_number = Precision::from_word("digits" + word).has_value();
+    throw InputError(fmt::format(
+        "--up-to = {} (must be double, extended, quad or digitsN with N from {} to "
+        "{}){}",
+        word, fewest_digits, most_digits, is_number ? fmt::format("; write digits{}", word) : ""));
   };
   command
       .add_option_function<std::string>(
@@ -80,13 +83,13 @@ void add_adjudicate(CLI::App& app, int& status) {
       .add_option("--collisions", arguments->collisions,
                   "most of each trial, after the run's hit; without it until the digits are spent "
                   "or the spheres have flown apart")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52));
+      ->check(whole_number("--collisions", 1, most_typed));
   command
       .add_option("--groups", arguments->groups,
                   "follow so many groups of hits, the first ones; without it all")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52));
+      ->check(whole_number("--groups", 1, most_typed));
   command.add_option("--seconds", arguments->seconds, "budget for all of it, in seconds")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number("--seconds"))
       ->capture_default_str();
   add_overrides(command, arguments->overrides);
   command.add_flag("--json", arguments->json, "print the result as one JSON object");

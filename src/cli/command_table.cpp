@@ -34,27 +34,18 @@ constexpr std::array examples{
     Example{"manual", "zenosphere manual run | man -l -"},
 };
 
-/// The words of `{one,two}`, as CLI11 describes a choice; none where it is something else.
-std::vector<std::string> choices_of(const CLI::Option& option) {
+/// The words that an option takes, from the name of its validator (cli/values.hpp).
+std::vector<std::string> choices_of(CLI::Option& option) {
   std::vector<std::string> choices;
-  const CLI::Validator* const validator = [&]() -> const CLI::Validator* {
-    try {
-      return const_cast<CLI::Option&>(option).get_validator(0);
-    } catch (const CLI::OptionNotFound&) {
-      return nullptr;
-    }
-  }();
-  if (!validator) return choices;
-  const std::string text = validator->get_description();
-  const auto begin = text.find('{');
-  const auto end = text.find('}', begin);
-  if (end == std::string::npos) return choices;
-  std::istringstream words(text.substr(begin + 1, end - begin - 1));
-  for (std::string word; std::getline(words, word, ',');) choices.push_back(word);
+  try {
+    std::istringstream words(option.get_validator(0)->get_name());
+    for (std::string word; std::getline(words, word, ',');) choices.push_back(word);
+  } catch (const CLI::OptionNotFound&) {  // no validator
+  }
   return choices;
 }
 
-CommandOption entry_of(const CLI::Option& option) {
+CommandOption entry_of(CLI::Option& option) {
   CommandOption entry{.meaning = option.get_description()};
   for (const std::string& name : option.get_snames()) entry.names.push_back('-' + name);
   for (const std::string& name : option.get_lnames()) entry.names.push_back("--" + name);
@@ -63,13 +54,12 @@ CommandOption entry_of(const CLI::Option& option) {
   return entry;
 }
 
-void add_commands(const CLI::App& parent, const std::string& prefix,
-                  std::vector<CommandEntry>& table) {
-  for (const CLI::App* command : parent.get_subcommands([](const CLI::App*) { return true; })) {
+void add_commands(CLI::App& parent, const std::string& prefix, std::vector<CommandEntry>& table) {
+  for (CLI::App* command : parent.get_subcommands({})) {
     if (command->get_group().empty()) continue;
     CommandEntry entry{.name = prefix + command->get_name(), .meaning = command->get_description()};
     entry.example = example_of(entry.name);
-    for (const CLI::Option* option : command->get_options()) {
+    for (CLI::Option* option : command->get_options()) {
       const bool is_argument = option->get_positional();
       (is_argument ? entry.arguments : entry.options).push_back(entry_of(*option));
     }
@@ -80,7 +70,7 @@ void add_commands(const CLI::App& parent, const std::string& prefix,
 
 }  // namespace
 
-std::vector<CommandEntry> command_table(const CLI::App& app) {
+std::vector<CommandEntry> command_table(CLI::App& app) {
   std::vector<CommandEntry> table;
   add_commands(app, "", table);
   return table;

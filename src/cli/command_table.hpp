@@ -29,7 +29,7 @@ struct CommandEntry {
 };
 
 /// All commands, from the parser itself, so that nothing is written twice.
-std::vector<CommandEntry> command_table(const CLI::App& app);
+std::vector<CommandEntry> command_table(CLI::App& app);
 
 /// Words with something between them.
 std::string joined(std::span<const std::string> words, std::string_view separator);

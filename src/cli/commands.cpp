@@ -3,23 +3,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/command.hpp"
 #include "cli/command_table.hpp"
 #include "cli/console.hpp"
+#include "cli/usage.hpp"
 #include "io/build_info.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
-
-void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
-  command.add_option("--set", overrides, "override a key, as in system.restitution=0.2")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-}
 
 namespace {
 
@@ -36,7 +31,7 @@ constexpr const char* overview =
 
 /// Below the help of each command: how it is used, and what it returns.
 void add_footers(CLI::App& app) {
-  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  for (CLI::App* command : app.get_subcommands({})) {
     const std::string_view example = example_of(command->get_name());
     if (!example.empty()) {
       command->footer(fmt::format("Example:\n  {}\n\nExit codes:\n{}", example, exit_code_lines()));
@@ -44,7 +39,33 @@ void add_footers(CLI::App& app) {
   }
 }
 
+/// `--overwrite=no` is not what it seems.
+void refuse_values_of_flags(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_expected_max() == 0) option->disable_flag_override();
+  }
+  for (CLI::App* command : app.get_subcommands({})) refuse_values_of_flags(*command);
+}
+
+/// What was typed, the last word first, as the library wants it; `help run` stands for
+/// `run --help`.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
 }  // namespace
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "override a key, as in system.restitution=0.2")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
 
 int run_command_line(int argc, char** argv) {
   if (argc == 1) {
@@ -73,18 +94,12 @@ int run_command_line(int argc, char** argv) {
   add_completion(app, status);
   add_manual(app, status);
   add_footers(app);
+  refuse_values_of_flags(app);
   try {
-    if (argc == 2 && std::string_view(argv[1]) == "help") throw CLI::CallForHelp();
-    app.parse(argc, argv);
+    app.parse(words_of(argc, argv));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help or version was asked for
-    const bool is_command_missing = app.get_subcommands().empty();
-    if (is_command_missing && argc > 1 && argv[1][0] != '-') {
-      throw InputError(
-          fmt::format("zenosphere: unknown command {}; run zenosphere --help", argv[1]));
-    }
-    app.exit(error);
-    return exit_code::wrong_input;
+    throw InputError(usage_problem(app, error));
   }
   return status;
 }

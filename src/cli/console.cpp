@@ -1,6 +1,7 @@
 #include "cli/console.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -14,13 +15,24 @@ void print(const std::string& text) {
   if (!is_written) throw OutputError("standard output: could not be written; is the disk full?");
 }
 
+void print_aside(const std::string& text) {
+  std::fputs(text.c_str(), stderr);  // not fmt::print, which throws where it is closed
+}
+
 bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
 
+std::size_t terminal_columns() {
+  winsize size{};
+  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return is_known ? size.ws_col - std::size_t{1} : 79;  // in the last column the line would break
+}
+
 void show_line(const std::string& line) {
-  fmt::print(stderr, "\r{:<78}", line);
+  const std::size_t width = terminal_columns();
+  print_aside(fmt::format("\r{:<{}.{}}", line, width, width));
   std::fflush(stderr);
 }
 
-void clear_line() { fmt::print(stderr, "\r{:<78}\r", ""); }
+void clear_line() { print_aside(fmt::format("\r{:<{}}\r", "", terminal_columns())); }
 
 }  // namespace zenosphere

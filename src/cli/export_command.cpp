@@ -2,13 +2,16 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
+#include "cli/values.hpp"
 #include "export/export_run.hpp"
+#include "export/text_target.hpp"
 #include "io/printable.hpp"
 
 namespace zenosphere {
@@ -21,6 +24,12 @@ const std::map<std::string, ExportFormat> formats{
     {"vtp", ExportFormat::vtk},
     {"csv-observables", ExportFormat::csv_observables},
     {"csv-collisions", ExportFormat::csv_collisions}};
+
+std::vector<std::string> names_of_formats() {
+  std::vector<std::string> names;
+  for (const auto& [name, format] : formats) names.push_back(name);
+  return names;
+}
 
 /// What the user typed.
 struct Arguments {
@@ -41,7 +50,8 @@ int export_output(const Arguments& arguments) {
                        .occupied = arguments.overwrite ? Occupied::replace : Occupied::refuse,
                        .interrupt = &catch_signals()};
   const Exported exported = export_run(request);
-  if (!arguments.quiet) print(printable(to_text(exported, request)));
+  const std::string text = arguments.quiet ? "" : printable(to_text(exported, request));
+  is_standard_output(request.target) ? print_aside(text) : print(text);
   return exported.interrupted ? exit_code::interrupted : exit_code::done;
 }
 
@@ -50,10 +60,12 @@ void add_selection(CLI::App& command, Selection& selection) {
       .add_option("--from", selection.from,
                   "first snapshot, counted from 0, -1 is the last; for csv-collisions: first "
                   "collision")
+      ->check(whole_number("--from", -most_typed, most_typed))
       ->capture_default_str();
-  command.add_option("--to", selection.to, "last one, likewise; without: the last there is");
+  command.add_option("--to", selection.to, "last one, likewise; without: the last there is")
+      ->check(whole_number("--to", -most_typed, most_typed));
   command.add_option("--every", selection.every, "one of so many")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 52))
+      ->check(whole_number("--every", 1, most_typed))
       ->capture_default_str();
 }
 
@@ -71,9 +83,10 @@ void add_export(CLI::App& app, int& status) {
                   "of OVITO and ASE (extxyz); OVITO, VMD, MDAnalysis and ASE (lammps); ParaView "
                   "(vtp: NAME.pvd and a folder of frames); tables")
       ->required()
-      ->check(CLI::IsMember(&formats))
+      ->check(one_of("--format", names_of_formats()))
       ->type_name("FORMAT");
-  command.add_option("-o,--output", arguments->target, "file to write")
+  command
+      .add_option("-o,--output", arguments->target, "file to write; - writes to standard output")
       ->required()
       ->type_name("FILE");
   add_selection(command, arguments->selection);

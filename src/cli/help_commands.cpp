@@ -13,6 +13,7 @@
 #include "cli/completion.hpp"
 #include "cli/console.hpp"
 #include "cli/manual.hpp"
+#include "cli/values.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -46,7 +47,7 @@ void add_completion(CLI::App& app, int& status) {
   CLI::App& command = *app.add_subcommand("completion", "print the completion script of a shell");
   command.add_option("shell", *shell, "bash, zsh or fish")
       ->required()
-      ->check(CLI::IsMember(&shells))
+      ->check(one_of("SHELL", {"bash", "zsh", "fish"}))
       ->type_name("SHELL");
   command.callback([&app, shell, &status] {
     print(completion(shells.at(*shell), command_table(app)));

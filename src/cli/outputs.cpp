@@ -4,6 +4,7 @@
 
 #include <system_error>
 
+#include "export/text_target.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -11,6 +12,13 @@ namespace zenosphere {
 void require_name(const std::string& output) {
   if (!output.empty()) return;
   throw InputError("-o: the file name is empty (an unset shell variable?); name a file");
+}
+
+void require_file_name(const std::string& output, const std::string& why) {
+  require_name(output);
+  if (!is_standard_output(output)) return;
+  throw InputError(
+      fmt::format("-o {}: cannot go to standard output ({}); name a file", output, why));
 }
 
 void require_other_than(const std::filesystem::path& input, const std::string& output,

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace zenosphere {
 
@@ -13,15 +15,30 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-std::string progress_line(const Progress& progress) {
-  std::string line = fmt::format("{:>3.0f} %  {} collisions  time {:.6g}  {:.3g}/s  {} hits",
-                                 100 * progress.done, progress.collisions, progress.time,
-                                 progress.collisions_per_second, progress.separation_hits);
+std::string fitted_line(std::vector<LinePart> parts, std::size_t columns) {
+  const auto joined = [&] {
+    std::string line;
+    for (const LinePart& part : parts) line += (line.empty() ? "" : "  ") + part.text;
+    return line;
+  };
+  while (parts.size() > 1 && joined().size() > columns) {
+    parts.erase(std::max_element(parts.begin(), parts.end(),
+                                 [](const auto& a, const auto& b) { return a.rank < b.rank; }));
+  }
+  return joined();
+}
+
+std::string progress_line(const Progress& progress, std::size_t columns) {
+  std::vector<LinePart> parts{{fmt::format("{:>3.0f} %", 100 * progress.done), 0},
+                              {fmt::format("{} collisions", progress.collisions), 2},
+                              {fmt::format("time {:.6g}", progress.time), 5},
+                              {fmt::format("{:.3g}/s", progress.collisions_per_second), 4},
+                              {fmt::format("{} hits", progress.separation_hits), 3}};
   if (progress.done > 0) {
     const double left = progress.wall_seconds * (1 - progress.done) / progress.done;
-    line += fmt::format("  {} left", duration_text(left));
+    parts.push_back({fmt::format("{} left", duration_text(left)), 1});
   }
-  return line;
+  return fitted_line(std::move(parts), columns);
 }
 
 }  // namespace zenosphere

@@ -1,13 +1,18 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "campaign/database.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
+#include "cli/console.hpp"
 #include "cli/outputs.hpp"
 #include "io/journal.hpp"
+#include "io/printable.hpp"
 #include "report/run_page.hpp"
 #include "report/sweep_page.hpp"
 
@@ -20,16 +25,27 @@ struct Arguments {
   std::string file;
   std::string page;
   bool overwrite = false;
+  bool quiet = false;
 };
 
+/// `page.html: report page of out.h5, 1.2 MB; open it in a browser`
+std::string written_text(const Arguments& arguments, bool is_sweep) {
+  std::error_code ignored;  // it was written a moment ago
+  const auto bytes = static_cast<double>(std::filesystem::file_size(arguments.page, ignored));
+  return fmt::format("{}: {} {}, {:.1f} MB; open it in a browser\n", arguments.page,
+                     is_sweep ? "phase diagrams of the sweep" : "report page of the run",
+                     arguments.file, bytes / 1e6);
+}
+
 int report(const Arguments& arguments) {
-  require_name(arguments.page);
+  require_file_name(arguments.page, "a page is megabytes of HTML for a browser");
   for (const auto& shown : {std::filesystem::path(arguments.file), journal_of(arguments.file)}) {
     require_other_than(shown, arguments.page, "what it is to show");
   }
   const auto existing = arguments.overwrite ? ExistingPage::replace : ExistingPage::refuse;
   const bool is_sweep = is_database(arguments.file);
   (is_sweep ? write_sweep_page : write_run_page)(arguments.file, arguments.page, existing);
+  if (!arguments.quiet) print(printable(written_text(arguments, is_sweep)));
   return exit_code::done;
 }
 
@@ -46,6 +62,7 @@ void add_report(CLI::App& app, int& status) {
       ->required()
       ->type_name("PAGE.html");
   command.add_flag("--overwrite", arguments->overwrite, "replace an existing page");
+  command.add_flag("--quiet", arguments->quiet, "print nothing");
   command.callback([arguments, &status] { status = report(*arguments); });
 }
 

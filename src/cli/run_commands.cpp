@@ -13,6 +13,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress_line.hpp"
+#include "io/printable.hpp"
 #include "io/recovery.hpp"
 #include "run/resume.hpp"
 #include "run/run.hpp"
@@ -38,7 +39,9 @@ RunOptions run_options(const Arguments& arguments) {
   options.output = arguments.output;
   if (arguments.overwrite) options.existing = OutputFile::Existing::replace;
   if (!arguments.quiet && is_terminal()) {
-    options.on_progress = [](const Progress& progress) { show_line(progress_line(progress)); };
+    options.on_progress = [](const Progress& progress) {
+      show_line(progress_line(progress, terminal_columns()));
+    };
   }
   return options;
 }
@@ -54,34 +57,49 @@ int exit_code_of(const Summary& summary, const Arguments& arguments) {
 }
 
 /// Prints what came out and returns the exit code.
-int report(const Summary& summary, const Case& values, const Arguments& arguments) {
+///
+/// \param kept  the output file that can be resumed; empty: nothing is kept
+int report(const Summary& summary, const Case& values, const Arguments& arguments,
+           const std::string& kept) {
   if (!arguments.quiet && is_terminal()) clear_line();
   if (arguments.json) {
     print(to_json(summary, values.system.dimension) + '\n');
   } else if (!arguments.quiet) {
-    print(to_text(summary, values.system.dimension));
+    print(to_text(summary, values.system.dimension, kept));
   }
   return exit_code_of(summary, arguments);
 }
 
+/// Where nothing is kept, and where nothing is even printed.
+void tell_what_is_lost(const Arguments& arguments) {
+  if (arguments.output) return;
+  if (!arguments.quiet) {
+    print_aside(fmt::format("{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
+                            printable(arguments.file)));
+  } else if (!arguments.json && !arguments.fail_on_collapse) {
+    print_aside(
+        fmt::format("{}: nothing is kept or printed (--quiet without -o); -o OUT.h5 keeps "
+                    "the run, --json prints its summary\n",
+                    printable(arguments.file)));
+  }
+}
+
 int run(const Arguments& arguments) {
   if (arguments.output) {
-    require_name(*arguments.output);
+    require_file_name(*arguments.output, "HDF5 is not written from its beginning to its end");
     require_other_than(arguments.file, *arguments.output, "the case file itself");
   }
   const Case values = case_from(arguments.file, arguments.overrides);
-  if (!arguments.quiet && !arguments.output) {
-    fmt::print(stderr, "{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
-               arguments.file);
-  }
-  return report(run_case(values, run_options(arguments)), values, arguments);
+  tell_what_is_lost(arguments);
+  return report(run_case(values, run_options(arguments)), values, arguments,
+                arguments.output.value_or(""));
 }
 
 int resume(const Arguments& arguments) {
   RecoveredOutput output = recover(arguments.file);
   const Case values = case_to_resume(output, arguments.overrides);
   const Summary summary = resume_case(values, std::move(output), run_options(arguments));
-  return report(summary, values, arguments);
+  return report(summary, values, arguments, arguments.file);
 }
 
 void add_reporting(CLI::App& command, Arguments& arguments) {

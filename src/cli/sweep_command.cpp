@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "campaign/campaign.hpp"
 #include "campaign/estimate.hpp"
@@ -20,6 +21,7 @@
 #include "cli/outputs.hpp"
 #include "cli/search_text.hpp"
 #include "cli/sweep_text.hpp"
+#include "cli/values.hpp"
 #include "io/build_info.hpp"
 
 namespace zenosphere {
@@ -83,7 +85,9 @@ int run_runs(const Arguments& arguments, const Sweep& sweep, const Crew& crew) {
   if (arguments.retry_failed) store.forget_failures();
   const bool shows_line = !arguments.quiet && is_terminal();
   if (shows_line) {
-    options.on_progress = [](const SweepProgress& progress) { show_line(sweep_line(progress)); };
+    options.on_progress = [](const SweepProgress& progress) {
+      show_line(sweep_line(progress, terminal_columns()));
+    };
   }
   const auto workers = crew.make(store.setting());
   SearchResult result;
@@ -136,8 +140,16 @@ int sweep(const Arguments& arguments) {
   if (arguments.file.empty()) {
     throw InputError("sweep: which one? (no file is named); write zenosphere sweep SWEEP.toml");
   }
-  if (arguments.store) require_name(*arguments.store);
+  if (arguments.store) require_file_name(*arguments.store, "a store is a database");
   return launched_ranks() > 1 ? sweep_in_ranks(arguments) : sweep_in_threads(arguments);
+}
+
+/// What a store holds is what its sweep file tells.
+void refuse_overrides(const std::vector<std::string>& overrides) {
+  throw InputError(fmt::format(
+      "--set {}: is not for sweeps (a store holds the runs of one sweep file); write it "
+      "into the base case, or under [case...] or [axes] of the sweep file",
+      overrides.front()));
 }
 
 }  // namespace
@@ -150,7 +162,9 @@ void add_sweep(CLI::App& app, int& status) {
   command.add_option("-o,--output", arguments->store, "the store; default: the file's name")
       ->type_name("STORE.sqlite");
   command.add_option("--threads", arguments->threads, "runs at the same time; default: all cores")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
+      ->check(whole_number("--threads", 1, 1024));
+  command.add_option_function<std::vector<std::string>>("--set", refuse_overrides)
+      ->group("");  // no option, but what many try
   command.add_flag("--dry-run", arguments->dry_run, "print the plan and how long it would take");
   command.add_flag("--retry-failed", arguments->retry_failed, "run again what has failed");
   command.add_flag("--json", arguments->json, "print what came out as one JSON object");

@@ -15,6 +15,8 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/outputs.hpp"
+#include "cli/values.hpp"
+#include "export/text_target.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -34,13 +36,14 @@ int show(const Arguments& arguments) {
 }
 
 int csv(const Arguments& arguments) {
-  if (arguments.output) {
+  const bool is_printed = !arguments.output || is_standard_output(*arguments.output);
+  if (!is_printed) {
     require_name(*arguments.output);
     require_other_than(arguments.file, *arguments.output, "the store itself");
   }
   Database database(arguments.file, Database::Access::read);
   stored_sweep(database);
-  if (!arguments.output) {
+  if (is_printed) {
     write_csv(database, print);
     return exit_code::done;
   }
@@ -64,6 +67,7 @@ void add_sweep_looks(CLI::App& command, int& status) {
       ->type_name("SWEEP.toml|STORE.sqlite");
   show_command.add_option("--run", arguments->run, "its number, from 0")
       ->required()
+      ->check(whole_number("--run", 0, most_typed))
       ->type_name("N");
   show_command.callback([arguments, &status] { status = show(*arguments); });
 
@@ -71,7 +75,9 @@ void add_sweep_looks(CLI::App& command, int& status) {
   csv_command.add_option("file", arguments->file, "store of a sweep")
       ->required()
       ->type_name("STORE.sqlite");
-  csv_command.add_option("-o,--output", arguments->output, "write them here")
+  csv_command
+      .add_option("-o,--output", arguments->output,
+                  "write them here; - and without: to standard output")
       ->type_name("FILE.csv");
   csv_command.callback([arguments, &status] { status = csv(*arguments); });
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <vector>
+
 #include "cli/progress_line.hpp"
 #include "io/case_entries.hpp"
 
@@ -43,16 +46,17 @@ std::string adjudication_line(const AdjudicationRequest& request, std::int64_t d
 
 }  // namespace
 
-std::string sweep_line(const SweepProgress& progress) {
+std::string sweep_line(const SweepProgress& progress, std::size_t columns) {
   const RunCounts& counts = progress.counts;
-  std::string line = fmt::format("{} of {} runs done  {} running  {} failed", counts.done,
-                                 counts.all(), progress.running, counts.failed);
+  std::vector<LinePart> parts{{fmt::format("{} of {} runs done", counts.done, counts.all()), 0},
+                              {fmt::format("{} running", progress.running), 3},
+                              {fmt::format("{} failed", counts.failed), counts.failed > 0 ? 1 : 2}};
   if (progress.ended_here > 0) {
     const double seconds_each = progress.wall_seconds / static_cast<double>(progress.ended_here);
     const double left = seconds_each * static_cast<double>(counts.left());
-    line += fmt::format("  {} left", duration_text(left));
+    parts.push_back({fmt::format("{} left", duration_text(left)), counts.failed > 0 ? 2 : 1});
   }
-  return line;
+  return fitted_line(std::move(parts), columns);
 }
 
 std::string progress_text(const SweepProgress& progress, const std::string& store) {
@@ -97,9 +101,9 @@ std::string plan_text(const Sweep& sweep, const SweepPlan& plan, std::size_t wor
   }
   text += fmt::format("  {:<32}{} ({} done, {} failed)\n", "runs", plan.counts.all(),
                       plan.counts.done, plan.counts.failed);
-  text += fmt::format("  {:<32}{} on {} {}, at {:.3g} s a run {}\n", "time, at most about",
-                      duration_text(plan.seconds(workers)), workers, kind, plan.seconds_per_run,
-                      plan.source);
+  text += fmt::format("  {:<32}{} on {} {}, at {:.3g} s a run on average\n", "time, estimated",
+                      duration_text(plan.seconds(workers)), workers, kind, plan.seconds_per_run);
+  text += fmt::format("  {:<32}{}\n", "  how", plan.source);
   if (sweep.adjudicate) text += adjudication_line(*sweep.adjudicate, plan.counts.to_adjudicate);
   return text;
 }

@@ -8,8 +8,9 @@
 
 namespace zenosphere {
 
-/// One line that tells how far a sweep is: runs done, running, failed, and the time that remains.
-std::string sweep_line(const SweepProgress& progress);
+/// One line that tells how far a sweep is: runs done, running, failed, and the time that remains;
+/// on a narrow terminal not all of that.
+std::string sweep_line(const SweepProgress& progress, std::size_t columns);
 
 /// How a sweep ended, for people and as one JSON object.
 std::string progress_text(const SweepProgress& progress, const std::string& store);

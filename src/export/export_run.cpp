@@ -11,6 +11,7 @@
 #include "export/new_file.hpp"
 #include "export/sphere_collisions.hpp"
 #include "export/tables.hpp"
+#include "export/text_target.hpp"
 #include "export/vtk_frame.hpp"
 #include "io/case_box.hpp"
 #include "io/case_file.hpp"
@@ -148,17 +149,14 @@ class Exporter {
   /// All frames in one file.
   template <class Append>
   void write_frames(const std::string& header, Append append) {
-    Draft draft(request_.target, Draft::Kind::file, request_.occupied);
-    NewFile file(draft.path(), request_.target);
-    file.write(header);
-    if (!for_each_frame([&](const Frame& frame) { append(file, frame); })) return;
-    file.close();
-    draft.put_in_place();
+    TextTarget target(request_.target, request_.occupied);
+    target.file().write(header);
+    if (for_each_frame([&](const Frame& frame) { append(target.file(), frame); })) target.finish();
   }
 
   void write_collisions() {
-    Draft draft(request_.target, Draft::Kind::file, request_.occupied);
-    NewFile file(draft.path(), request_.target);
+    TextTarget target(request_.target, request_.occupied);
+    NewFile& file = target.file();
     file.write(collisions_header());
     if (!for_each_collision([&](const CollisionRow& row) { file.write(collisions_row(row)); })) {
       return;
@@ -169,8 +167,7 @@ class Exporter {
                       "choose others, or run with output.collision_log = \"all\"",
                       request_.run.string(), run_.info().logged_collisions));
     }
-    file.close();
-    draft.put_in_place();
+    target.finish();
   }
 
   /// A file for each frame in a folder, and the collection that tells their times.
@@ -231,8 +228,10 @@ Exported export_run(const Export& request) {
 }
 
 std::string to_text(const Exported& exported, const Export& request) {
+  const bool is_stream = is_standard_output(request.target);
   if (exported.interrupted) {
-    return request.target.string() + ": interrupted, nothing was written\n";
+    return request.target.string() + (is_stream ? ": interrupted, what was written is cut off\n"
+                                                : ": interrupted, nothing was written\n");
   }
   const bool has_rows = request.format == ExportFormat::csv_collisions;
   std::string text = fmt::format("{}: {} {}{} of {} spheres\n", request.target.string(),

@@ -30,8 +30,8 @@ void append_lammps_dump(NewFile& file, const Frame& frame) {
   write_sphere_lines(file, frame, [&](fmt::appender line, std::int64_t i) {
     const auto [x, y, z] = frame.position(i);
     const auto [vx, vy, vz] = frame.velocity(i);
-    fmt::format_to(line, FMT_COMPILE("{} 1 {} {} {} {} {} {} {}"), i, frame.cell.leaning_x(x, y), y,
-                   z, vx, vy, vz, sphere_radius);
+    fmt::format_to(line, FMT_COMPILE("{} 1 {} {} {} {} {} {} {}"), i + 1,
+                   frame.cell.leaning_x(x, y), y, z, vx, vy, vz, sphere_radius);
   });
 }
 

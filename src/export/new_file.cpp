@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "model/errors.hpp"
 
@@ -31,20 +32,23 @@ NewFile::NewFile(const std::filesystem::path& path, const std::filesystem::path&
   buffer_.reserve(buffer_size);
 }
 
+NewFile::NewFile(StandardOutput) : shown_("standard output") { buffer_.reserve(buffer_size); }
+
 void NewFile::write(std::string_view text) {
   if (buffer_.size() + text.size() > buffer_size) flush();
   buffer_.insert(buffer_.end(), text.begin(), text.end());
 }
 
 void NewFile::flush() {
-  guarded(shown_, [&] { write_at(file_, size_, buffer_); });
+  guarded(shown_,
+          [&] { file_ ? write_at(*file_, size_, buffer_) : write_next(STDOUT_FILENO, buffer_); });
   size_ += buffer_.size();
   buffer_.clear();
 }
 
 void NewFile::close() {
   flush();
-  guarded(shown_, [&] { sync(file_); });
+  if (file_) guarded(shown_, [&] { sync(*file_); });
 }
 
 }  // namespace zenosphere

@@ -39,14 +39,14 @@ Sums sums_of(const Frame& frame, double shear_rate) {
 }  // namespace
 
 std::string observables_header(int dimension) {
-  std::string text = "snapshot,collisions,collisions_per_sphere,time [t],strain";
-  if (dimension > 1) text += ",offset [d]";
-  text += ",granular_temperature [d^2/t^2]";
+  std::string text = "snapshot,collisions,collisions_per_sphere,time,strain";
+  if (dimension > 1) text += ",offset";
+  text += ",granular_temperature";
   for (int axis = 0; axis < dimension; ++axis) {
-    text += fmt::format(",temperature_{} [d^2/t^2]", "xyz"[axis]);
+    text += fmt::format(",temperature_{}", "xyz"[axis]);
   }
-  if (dimension > 1) text += ",temperature_xy [d^2/t^2]";
-  return text + ",fastest [d/t]\n";
+  if (dimension > 1) text += ",temperature_xy";
+  return text + ",fastest\n";
 }
 
 std::string observables_row(const Frame& frame, double shear_rate) {
@@ -65,7 +65,7 @@ std::string observables_row(const Frame& frame, double shear_rate) {
   return text + fmt::format(",{}\n", std::sqrt(sums.fastest));
 }
 
-std::string collisions_header() { return "k,time [t],i,j,gap [d],normal_speed [d/t],flags\n"; }
+std::string collisions_header() { return "k,time,i,j,gap,normal_speed,flags\n"; }
 
 std::string collisions_row(const CollisionRow& row) {
   return fmt::format(FMT_COMPILE("{},{},{},{},{},{},{}\n"), row.k, row.time, row.i, row.j, row.gap,

@@ -7,8 +7,8 @@
 
 namespace zenosphere {
 
-/// The first line of the table of observables, with units: [d] diameter, [t] time of the case; mass
-/// 1.
+/// The first line of the table of observables: names of its columns, whose units docs/export.md
+/// has.
 ///
 /// \param dimension  D: there are D temperatures and, from two dimensions on, the offset and a
 ///                   shear component
@@ -20,7 +20,7 @@ std::string observables_header(int dimension);
 /// Source of the kinetic tensor <c c>: docs/theory.md.
 std::string observables_row(const Frame& frame, double shear_rate);
 
-/// The first line of the table of collisions: the columns of the log with units.
+/// The first line of the table of collisions: the columns of the log.
 std::string collisions_header();
 
 /// One line of it. A gap that is not known is `nan`.

@@ -95,10 +95,14 @@ Objection integer_out_of_range(const Decimal& decimal) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc()) return std::nullopt;
   const double real = std::strtod(text.c_str(), nullptr);
+  using Limits = std::numeric_limits<std::int64_t>;
+  const std::string limit = decimal.is_negative
+                                ? fmt::format("too small: integers are at least {}", Limits::min())
+                                : fmt::format("too large: integers are at most {}", Limits::max());
+  const bool is_real = !std::isinf(real);
   return fmt::format(
-      "(integers are in [{}, {}]){}", std::numeric_limits<std::int64_t>::min(),
-      std::numeric_limits<std::int64_t>::max(),
-      std::isinf(real) ? "" : fmt::format("; write {:.17g} if a real number will do", real));
+      "({}){}", limit,
+      is_real ? fmt::format("; where a real number will do, write {:.17g}", real) : "");
 }
 
 Objection real_out_of_range(const Decimal& decimal) {

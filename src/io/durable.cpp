@@ -77,6 +77,14 @@ void write_at(const FileDescriptor& file, std::uint64_t offset,
   }
 }
 
+void write_next(int descriptor, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    bytes = bytes.subspan(static_cast<std::size_t>(checked(count)));
+  }
+}
+
 Bytes read_at(const FileDescriptor& file, std::uint64_t offset, std::size_t size) {
   Bytes bytes(size);
   std::size_t done = 0;

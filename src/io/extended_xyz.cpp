@@ -61,6 +61,7 @@ class Rows {
       frame.positions[frame.positions.size() - origin_.size() + axis] -= origin_[axis];
     }
     append(columns_.velocity, frame.velocities);
+    for (std::size_t n = 0; n < columns_.momentum.count; ++n) require_mass_one(n);
     for (const auto& [name, column, expected] : columns_.fixed) {
       xyz::require_unit(name, number_at(column), expected, lines_);
     }
@@ -97,6 +98,18 @@ class Rows {
       }
     }
   }
+
+  /// A component of the momentum beside the velocity must be the same number.
+  void require_mass_one(std::size_t axis) const {
+    const double momentum = number_at(columns_.momentum.first + axis);
+    const double velocity = number_at(columns_.velocity.first + axis);
+    if (std::abs(momentum - velocity) <= xyz::file_accuracy * std::abs(velocity)) return;
+    lines_.reject(
+        fmt::format("momentum {} beside {} {} (they are equal: mass is the unit); keep one",
+                    momentum, columns_.velocity_name, velocity));
+  }
+
+  static constexpr double equal = 1e-9;  // files in text often have ten digits
 
   const xyz::Columns& columns_;
   const std::vector<double>& origin_;

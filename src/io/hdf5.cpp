@@ -134,7 +134,10 @@ Handle created_file(const std::filesystem::path& path) {
 
 Handle opened_file(const std::filesystem::path& path) {
   const Handle access = file_access();
-  return owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()));
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
+  if (file >= 0) return Handle(file);
+  // h5py in this process may have it open with HDF5's lock, which must then be asked for here too.
+  return owned(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
 }
 
 Handle reopened_file(const std::filesystem::path& path) {

@@ -45,7 +45,7 @@ std::string to_text(const OutputInfo& info, const std::string& name) {
   }
   if (const auto summary = summary_in(info)) {
     if (!info.complete) text += "\nUp to there: ";
-    text += to_text(*summary, info.dimension) + '\n';
+    text += to_text(*summary, info.dimension, name) + '\n';
   }
   if (info.is_extended) {
     text +=

@@ -115,6 +115,16 @@ std::string end_sentence(const Summary& s) {
   return s.ended_by;
 }
 
+/// What a reader must know before the verdict of a run that was not let go on to its end.
+std::string interruption_text(const Summary& s, const std::string& kept) {
+  if (s.self_check) return fmt::format("Ended by a self-check: {}\n\n", *s.self_check);
+  if (s.outcome != "interrupted") return "";
+  return fmt::format("Interrupted at collision {}, time {:.6g}{}.\nUp to there: ", s.collisions,
+                     s.time,
+                     kept.empty() ? ", and not kept (no -o)"
+                                  : fmt::format("; zenosphere resume {} goes on with it", kept));
+}
+
 std::string run_lines(const Summary& s) {
   return line("outcome", fmt::format("{} (ended by: {})", s.outcome, end_sentence(s))) +
          line("collisions",
@@ -261,9 +271,8 @@ std::string to_json(const Summary& summary, int dimension) {
   return json.dump();
 }
 
-std::string to_text(const Summary& summary, int dimension) {
-  std::string text;
-  if (summary.self_check) text = fmt::format("Ended by a self-check: {}\n\n", *summary.self_check);
+std::string to_text(const Summary& summary, int dimension, const std::string& kept) {
+  std::string text = interruption_text(summary, kept);
   text += verdict_sentence(summary) + "\n\n";
   text += run_lines(summary) + criteria_lines(summary);
   text += anatomy_lines(summary.anatomy) + contact_line(summary.contact) + cost_lines(summary);

@@ -104,7 +104,10 @@ std::string to_json(const Summary& summary, int dimension);
 /// Throws InputError if it is not one of D dimensions, as in a damaged file.
 Summary summary_from_json(const std::string& text, int dimension);
 
-/// The summary for people: some lines of aligned text, the verdict first.
-std::string to_text(const Summary& summary, int dimension);
+/// The summary for people: some lines of aligned text, the verdict first; of a run that was
+/// interrupted that it was, and how it goes on.
+///
+/// \param kept  the output file, which can be resumed; empty: there is none
+std::string to_text(const Summary& summary, int dimension, const std::string& kept = "");
 
 }  // namespace zenosphere

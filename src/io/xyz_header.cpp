@@ -169,18 +169,26 @@ void note_columns(const std::string& name, Columns::Span span, Columns& columns,
     if (columns.position.count > 0) lines.reject("Properties has pos twice; keep one");
     columns.position = span;
   } else if (is_momentum || is_one_of(name, velocity_names)) {
-    if (columns.velocity.count > 0) {
+    Columns::Span& found = is_momentum ? columns.momentum : columns.velocity;
+    if (found.count > 0) {
       lines.reject(fmt::format("Properties has {} and {} (which are the velocities?); keep one",
-                               columns.velocity_name, name));
+                               is_momentum ? "momenta" : columns.velocity_name, name));
     }
-    columns.velocity = span;
-    columns.velocity_name = name;
-    columns.has_momenta = is_momentum;
+    found = span;
+    if (!is_momentum) columns.velocity_name = name;
   }
   columns.has_masses = columns.has_masses || is_one_of(name, mass_names);
   for (const auto& [fixed, value] : fixed_names) {
     if (fixed == name) columns.fixed.push_back({name, span.first, value});
   }
+}
+
+/// Momenta are the velocities where there are no others.
+void choose_velocities(Columns& columns) {
+  columns.has_momenta = columns.velocity.count == 0 && columns.momentum.count > 0;
+  if (!columns.has_momenta) return;
+  columns.velocity = std::exchange(columns.momentum, {});
+  columns.velocity_name = "momenta";
 }
 
 void require_fitting(const Columns& columns, int dimension, const Lines& lines) {
@@ -191,6 +199,11 @@ void require_fitting(const Columns& columns, int dimension, const Lines& lines) 
   if (columns.velocity.count > 0 && !fits(columns.velocity.count)) {
     lines.reject(fmt::format("Properties has {} of {} columns (must be {}:R:3)",
                              columns.velocity_name, columns.velocity.count, columns.velocity_name));
+  }
+  if (columns.momentum.count > 0 && columns.momentum.count != columns.velocity.count) {
+    lines.reject(fmt::format("Properties has momenta of {} columns (must be {}, as of {})",
+                             columns.momentum.count, columns.velocity.count,
+                             columns.velocity_name));
   }
 }
 
@@ -217,6 +230,7 @@ Columns columns_in(std::string_view comment, int dimension, const Lines& lines) 
     column += *count;
   }
   columns.total = column;
+  choose_velocities(columns);
   require_fitting(columns, dimension, lines);
   return columns;
 }
@@ -250,8 +264,7 @@ void require_agreement(std::string_view comment, Columns& columns, const Lines& 
 }  // namespace
 
 void require_unit(const std::string& name, double number, double expected, const Lines& lines) {
-  constexpr double equal = 1e-9;  // files in text often have ten digits
-  if (std::abs(number - expected) <= equal) return;
+  if (std::abs(number - expected) <= file_accuracy) return;
   lines.reject(
       fmt::format("{} = {} (spheres have {}: diameter and mass are the units); give the file in "
                   "them",

@@ -28,6 +28,7 @@ struct Columns {
   Span velocity;
   std::string velocity_name;         ///< `velo`
   bool has_momenta = false;          ///< the velocities are momenta
+  Span momentum;                     ///< beside velocities, whose numbers it must repeat: mass 1
   bool has_masses = false;           ///< a column tells that the mass is 1
   std::vector<Fixed> fixed;          ///< radius, diameter, mass
   std::optional<std::size_t> total;  ///< columns in all; none: more may follow
@@ -50,6 +51,9 @@ struct Header {
 /// Throws InputError where one of them is wrong, nearly spelt right or there twice, or where there
 /// is no Lattice.
 Header header_of(std::string_view comment, int dimension, const Lines& lines);
+
+/// Numbers of a file that differ by less are equal: in text they often have ten digits.
+inline constexpr double file_accuracy = 1e-9;
 
 /// Throws InputError, at the line read last, unless a number is that of the spheres of a case.
 ///

@@ -33,6 +33,14 @@ void bind_case(py::module_& module) {
             return parse_written_case(text, name, overrides);
           },
           py::arg("text"), py::arg("name"), py::arg("overrides"))
+      .def_static(
+          "restored",
+          [](const std::string& resolved, const std::string& text) {
+            Case values = parse_case(resolved, "case", {});
+            values.text = text;
+            return values;
+          },
+          py::arg("resolved"), py::arg("text"))
       .def_readonly("text", &Case::text)
       .def_property_readonly("resolved", &resolved_toml)
       .def_property_readonly("derived", &derived_text);

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <mutex>
-#include <shared_mutex>
 #include <stdexcept>
 #include <utility>
 
 #include "io/recovery.hpp"
 #include "io/summary.hpp"
 #include "model/errors.hpp"
+#include "python/arrays.hpp"
+#include "python/files.hpp"
 #include "run/resume.hpp"
 
 namespace zenosphere {
@@ -19,19 +19,6 @@ namespace zenosphere {
 namespace {
 
 namespace py = pybind11;
-
-/// An array that takes over a vector, without copying it.
-///
-/// \param shape  its product is the size of the vector
-template <class T>
-py::array owning_array(std::vector<T> values, std::vector<py::ssize_t> shape) {
-  auto kept = std::make_unique<std::vector<T>>(std::move(values));
-  const T* data = kept->data();
-  const py::capsule owner(kept.get(),
-                          [](void* vector) { delete static_cast<std::vector<T>*>(vector); });
-  kept.release();
-  return py::array_t<T>(std::move(shape), data, owner);
-}
 
 Piece piece_of(std::optional<std::int64_t> collisions, std::optional<double> until) {
   Piece piece;
@@ -46,33 +33,6 @@ Piece piece_of(std::optional<std::int64_t> collisions, std::optional<double> unt
   piece.seconds = 0.1;  // then Python's signals are looked at
   return piece;
 }
-
-/// Keeps the reading of a file to be resumed apart from runs that write theirs.
-///
-/// A file is read in a copy of the process first, where a lock that HDF5 held in another thread
-/// would never be released. Who reads waits until all pieces under way are over; pieces that come
-/// meanwhile wait at the turnstile.
-class Files {
- public:
-  template <class Action>
-  void write(Action action) {
-    std::unique_lock entrance(turnstile_);
-    const std::shared_lock writing(files_);
-    entrance.unlock();
-    action();
-  }
-
-  template <class Action>
-  auto read(Action action) {
-    const std::lock_guard entrance(turnstile_);
-    const std::lock_guard reading(files_);
-    return action();
-  }
-
- private:
-  std::mutex turnstile_;
-  std::shared_mutex files_;
-} files;
 
 }  // namespace
 
@@ -203,15 +163,12 @@ py::tuple DrivenRun::state() const {
   const Use use(*this);
   SphereState state = run_->state();
   const py::ssize_t dimension = values_.system.dimension;
-  const auto table = [&](std::vector<double> values) {
-    const auto rows = static_cast<py::ssize_t>(values.size()) / dimension;
-    return owning_array(std::move(values), {rows, dimension});
-  };
   Snapshot& snapshot = state.snapshot;
-  return py::make_tuple(snapshot.step, snapshot.time, table(std::move(snapshot.positions)),
-                        table(std::move(snapshot.velocities)),
-                        table(std::move(state.peculiar_velocities)),
-                        table(std::move(snapshot.box_edges)));
+  return py::make_tuple(snapshot.step, snapshot.time,
+                        owning_table(std::move(snapshot.positions), dimension),
+                        owning_table(std::move(snapshot.velocities), dimension),
+                        owning_table(std::move(state.peculiar_velocities), dimension),
+                        owning_table(std::move(snapshot.box_edges), dimension));
 }
 
 }  // namespace zenosphere

@@ -14,12 +14,14 @@ namespace {
 
 namespace py = pybind11;
 
-/// Raises an exception of zenosphere.errors, its text as the program prints it.
+/// Raises an exception of zenosphere.errors, its text as the program prints it but for the names of
+/// options, which are keyword arguments in Python.
 void raise_in_python(const char* name, const std::exception& error) {
   const std::string text = printable(error.what());
   const auto shown = py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
-  PyErr_SetObject(py::module_::import("zenosphere.errors").attr(name).ptr(), shown.ptr());
+  const auto errors = py::module_::import("zenosphere.errors");
+  PyErr_SetObject(errors.attr(name).ptr(), errors.attr("in_python_words")(shown).ptr());
 }
 
 /// Makes the errors of the program those of zenosphere.errors, with the same texts.
@@ -46,4 +48,5 @@ PYBIND11_MODULE(_core, module) {
   zenosphere::bind_errors();
   zenosphere::bind_case(module);
   zenosphere::bind_run(module);
+  zenosphere::bind_output(module);
 }

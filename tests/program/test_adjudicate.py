@@ -262,3 +262,12 @@ def test_promoted_checkpoint_goes_on_as_the_same_state(program, precision):
         assert f'precision = "{precision}"' in file["zenosphere/resolved"].asstr()[()]
     flights = time[2:17] - time[1:16]
     assert flights[10:13] / flights[9:12] == pytest.approx(0.3125, rel=1e-3)
+
+
+def test_trial_that_stops_at_its_start_says_so_and_tells_no_gap(program):
+    """The first two rods touch, and come on: an overlap by rounding, before any collision."""
+    case = given(program, "touch.toml", dimension=1, spheres=3, restitution=0.05, sides="[30]",
+                 positions="[[10], [11], [13.5]]", velocities="[[1], [0], [-1]]")
+    lines = program("adjudicate", case).stdout.splitlines()
+    [stopped] = [line.split() for line in lines if line.startswith("double     stop")]
+    assert stopped == ["double", "stop", "start", "0", "1", "-", "0", "-", "0", "overlap"]

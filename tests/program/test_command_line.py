@@ -55,6 +55,70 @@ def test_word_that_is_not_understood_is_repeated(program, words):
     assert words[-1] in "".join(program.fail(*words))
 
 
+@pytest.mark.parametrize("words, told", [
+    ("", "zenosphere: which command? (none is named); see zenosphere --help"),
+    ("rum case.toml",
+     "zenosphere: unknown command rum; did you mean run? See zenosphere --help"),
+    ("run", "zenosphere run: CASE.toml missing; see zenosphere run --help"),
+    ("export", "zenosphere export: OUT.h5 and --format FORMAT and --output FILE missing; "
+     "see zenosphere export --help"),
+    ("sweep show s.toml",
+     "zenosphere sweep show: --run N missing; see zenosphere sweep show --help"),
+    ("run case.toml --overwite", "zenosphere run: unknown option --overwite; "
+     "did you mean --overwrite? See zenosphere run --help"),
+    ("run --seed=3", "zenosphere run: unknown option --seed; see zenosphere run --help"),
+    ("run case.toml other.toml", "zenosphere run: other.toml is one word too many "
+     "(a name with blanks stands in quotes); see zenosphere run --help"),
+    ("run case.toml -o",
+     "zenosphere run: --output needs OUT.h5 behind it; see zenosphere run --help"),
+    ("run case.toml -o a.h5 -o b.h5",
+     "zenosphere run: --output is given 2 times; see zenosphere run --help"),
+    ("run case.toml --overwrite=no",
+     "zenosphere run: --overwrite takes no value; see zenosphere run --help"),
+    ("adjudicate case.toml --up-to 128", "--up-to = 128 (must be double, extended, quad or digitsN "
+     "with N from 20 to 10000); write digits128"),
+    ("adjudicate case.toml --seconds 0", "--seconds = 0 (must be a number > 0)"),
+    ("adjudicate case.toml --seconds soon", "--seconds = soon (must be a number > 0)"),
+    ("adjudicate case.toml --collisions 1e6",
+     "--collisions = 1e6 (must be a whole number in [1, 9007199254740992])"),
+    ("export out.h5 --format xyz -o x", "--format = xyz (must be csv-collisions, csv-observables, "
+     "extxyz, lammps or vtp)"),
+    ("export out.h5 --format extxy -o x", "--format = extxy (must be csv-collisions, "
+     "csv-observables, extxyz, lammps or vtp); did you mean extxyz?"),
+    ("export out.h5 --format vtp -o x --every 0",
+     "--every = 0 (must be a whole number in [1, 9007199254740992])"),
+    ("export out.h5 --format vtp -o x --from 1.5",
+     "--from = 1.5 (must be a whole number in [-9007199254740992, 9007199254740992])"),
+    ("sweep s.toml --threads many", "--threads = many (must be a whole number in [1, 1024])"),
+    ("sweep show s.toml --run -1",
+     "--run = -1 (must be a whole number in [0, 9007199254740992])"),
+    ("sweep s.toml --set run.time=3", "--set run.time=3: is not for sweeps (a store holds the runs "
+     "of one sweep file); write it into the base case, or under [case...] or [axes] of the sweep "
+     "file"),
+])
+def test_wrong_command_line_is_told_in_one_line_of_our_grammar(program, words, told):
+    assert program.fail(*words.split()) == [told]
+
+
+def test_help_of_a_command_is_a_command_too(program):
+    assert program("help", "run").stdout == program("run", "--help").stdout
+
+
+@pytest.mark.parametrize("words", ["run case.toml", "sweep s.toml", "report out.h5"])
+@pytest.mark.parametrize("output", ["-", "/dev/stdout"])
+def test_what_cannot_go_to_standard_output_is_refused(program, words, output):
+    [line] = program.fail(*words.split(), "-o", output)
+    assert line.startswith(f"-o {output}: cannot go to standard output (")
+    assert not (program.folder / "-").exists()
+
+
+def test_run_of_which_nothing_is_left_says_so_before_it_begins(program):
+    [line] = program("run", "case.toml", "--quiet").stderr.splitlines()
+    assert line.startswith("case.toml: nothing is kept or printed (--quiet without -o); -o OUT.h5")
+    for words in (["--json"], ["--fail-on-collapse"], ["-o", "out.h5"]):
+        assert program("run", "case.toml", "--quiet", *words).stderr == ""
+
+
 def resolved_part(text):
     """The TOML in what `check` prints: its paragraphs that begin with a table."""
     return "\n\n".join(part for part in text.split("\n\n") if part.startswith("["))

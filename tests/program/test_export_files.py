@@ -269,5 +269,26 @@ def test_log_without_rows_is_told(program):
     assert "output.collision_log" in line and left(program) == []
 
 
+@pytest.mark.parametrize("target", ["-", "/dev/stdout"])
+@pytest.mark.parametrize("file_format", ONE_FILE)
+def test_export_to_standard_output_has_the_bytes_of_the_file(program, finished, file_format, target):
+    export(program, file_format)
+    done = program("export", "out.h5", "--format", file_format, "-o", target)
+    assert done.stdout == (program.folder / "new.txt").read_text()
+    assert done.stderr.startswith(f"{target}: ") and not (program.folder / "-").exists()
+    again = program("export", "out.h5", "--format", file_format, "-o", target, "--quiet")
+    assert (again.stdout, again.stderr) == (done.stdout, "")
+
+
+def test_full_standard_output_is_exit_code_4(program, finished):
+    done = program.redirected("/dev/full", "export", "out.h5", "--format", "extxyz", "-o", "-")
+    assert done.returncode == 4 and done.stderr.startswith("standard output: could not be written")
+
+
+def test_collection_of_files_cannot_go_to_standard_output(program, finished):
+    [line] = export(program, "vtp", target="-", code=2)
+    assert ".pvd" in line
+
+
 def test_quiet_export_prints_nothing(program, finished):
     assert export(program, "extxyz", "--quiet") == []

@@ -130,6 +130,15 @@ def test_page_of_an_unfinished_run_shows_its_last_checkpoint(program):
     assert found["run"]["summary"]["file"]["complete"] is False
 
 
+def test_report_says_what_it_wrote(program):
+    program.keep()
+    [line] = program("report", "out.h5", "-o", "page.html").stdout.splitlines()
+    megabytes = (program.folder / "page.html").stat().st_size / 1e6
+    assert line == f"page.html: report page of the run out.h5, {megabytes:.1f} MB; open it in a browser"
+    done = program("report", "out.h5", "-o", "page.html", "--overwrite", "--quiet")
+    assert done.stdout == done.stderr == ""
+
+
 def test_nothing_from_the_file_can_end_its_script(program):
     program.case.write_text("# </script><!-- <script> \N{LINE SEPARATOR}\n" + program.case.read_text())
     program.keep()

@@ -1,10 +1,13 @@
 """A run that is interrupted: what it prints, and what is left on the disk."""
 
+import fcntl
 import json
 import os
 import pty
 import signal
+import struct
 import subprocess
+import termios
 
 import h5py
 import numpy as np
@@ -39,7 +42,21 @@ def test_interrupted_run_tells_people_so(program):
     process = program.start()
     output, _ = ended(process, signal.SIGINT)
     assert process.returncode == 130
-    assert output.startswith("No collapse: ") and "interrupted" in output
+    assert output.startswith("Interrupted at collision ")
+    headline, verdict = output.splitlines()[:2]
+    assert headline.endswith("; zenosphere resume out.h5 goes on with it.")
+    assert verdict.startswith("Up to there: No collapse: ")
+    assert program("info", "out.h5").stdout.splitlines()[:2] == [headline, verdict]
+
+
+def test_interrupted_run_without_output_says_that_nothing_is_left(program):
+    process = subprocess.Popen(program.command("run", "case.toml", "--set", "run.collisions=1e12"),
+                               cwd=program.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               text=True)
+    assert "not kept" in process.stderr.readline()
+    program.pause(0.3)
+    output, _ = ended(process, signal.SIGINT)
+    assert output.splitlines()[0].endswith(", and not kept (no -o).")
 
 
 def test_interrupted_run_leaves_a_complete_file(program):
@@ -150,6 +167,21 @@ def test_terminal_shows_one_progress_line(program):
     assert len(lines) >= 2
     assert all(word in lines[0] for word in ("collisions", "time", "/s", "hits"))
     assert "left" in lines[-1]
+
+
+def test_progress_line_fits_a_narrow_terminal(program):
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 40, 0, 0))
+    process = program.start({"run.time": 1e6}, "--json", stderr=theirs)
+    os.close(theirs)
+    program.pause(0.5)
+    ended(process, signal.SIGINT)
+    shown = read_all(ours).split("\r")
+    os.close(ours)
+    assert all(len(line) < 40 for line in shown)
+    lines = [line.rstrip() for line in shown if line.strip()]
+    assert len(lines) >= 2 and all(line.lstrip()[0].isdigit() for line in lines)
+    assert "left" in lines[-1] and not lines[-1].endswith("lef")
 
 
 def test_quiet_run_shows_nothing_on_a_terminal(program):

@@ -1,6 +1,8 @@
 """A case from a dict, a text or a file, and what is wrong with it."""
 
 import copy
+import multiprocessing
+import pickle
 import tomllib
 
 import numpy as np
@@ -9,6 +11,7 @@ from module import SHEARED, failure, needed, program
 
 import zenosphere
 from zenosphere import InputError
+from zenosphere.errors import in_python_words
 
 pytestmark = needed
 
@@ -111,12 +114,57 @@ def test_errors_in_a_file_have_the_texts_of_the_program(tmp_path):
     assert complaint(zenosphere.Run, file) == printed
 
 
-def test_error_in_an_override_has_the_text_of_the_program(tmp_path):
+def test_error_in_an_override_names_it_as_python_does(tmp_path):
     file = tmp_path / "case.toml"
     file.write_text(zenosphere.Case(SHEARED).text)
-    _, printed = failure("check", file, "--set", "system.restitution=1.5")
-    assert complaint(zenosphere.Case.read, file,
-                     overrides={"system.restitution": 1.5}) == printed
+    assert complaint(zenosphere.Case.read, file, overrides={"system.restitution": 1.5}) == (
+        'overrides["system.restitution"]: system.restitution = 1.5 (must be in [0, 1]; 1 is elastic)')
+    assert complaint(zenosphere.Case.read, file, overrides={"system.restitution": None}).startswith(
+        'overrides["system.restitution"] = None (a NoneType')
+
+
+@pytest.mark.parametrize("told, meant", [
+    ("out.h5: exists already; choose another name or pass --overwrite",
+     "out.h5: exists already; choose another name or pass overwrite=True"),
+    ("out.h5: is at time 3 (run.time = 3 is reached); raise it: --set run.time=4",
+     'out.h5: is at time 3 (run.time = 3 is reached); raise it: overrides={"run.time": 4}'),
+    ("has collapsed; go on with --set collapse.stop_when_collapsed=false",
+     'has collapsed; go on with overrides={"collapse.stop_when_collapsed": False}'),
+    ("--set system.spheres: cannot be changed in a run that has begun",
+     'overrides["system.spheres"]: cannot be changed in a run that has begun'),
+    ('--set "a=1": problem (why)\n--set run.time=-1: run.time = -1 (must be > 0)',
+     'overrides "a=1": problem (why)\noverrides["run.time"]: run.time = -1 (must be > 0)'),
+])
+def test_options_of_the_program_are_arguments_in_python(told, meant):
+    assert in_python_words(told) == meant
+
+
+def test_cases_are_equal_if_they_describe_the_same_run(tmp_path):
+    case = zenosphere.Case(SHEARED)
+    other = zenosphere.Case.parse("# mine\n" + case.resolved)
+    assert case == other and hash(case) == hash(other) and case.text != other.text
+    assert case != zenosphere.Case(SHEARED, overrides={"start.seed": 8})
+    assert case != "a case" and len({case, other}) == 1
+
+
+def test_case_is_pickled_with_all_it_has():
+    case = zenosphere.Case(SHEARED, overrides={"system.restitution": 0.25})
+    again = pickle.loads(pickle.dumps(case))
+    assert again == case and (again.text, again.derived) == (case.text, case.derived)
+    assert copy.deepcopy(case) == case
+
+
+def end_of(case):
+    with zenosphere.Run(case) as run:
+        run.skip()
+    return run.time
+
+
+def test_cases_go_to_other_processes():
+    cases = [zenosphere.Case(SHEARED, overrides={"start.seed": seed, "run.collisions": 200})
+             for seed in (1, 2)]
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        assert pool.map(end_of, cases) == [end_of(case) for case in cases]
 
 
 def test_text_that_is_not_toml_is_refused_with_its_line():

@@ -13,6 +13,7 @@ from identity import differences
 from module import ENDLESS, SHEARED, failure, joined, needed, program, ran_by_program
 
 import zenosphere
+from zenosphere.errors import in_python_words
 
 pytestmark = needed
 
@@ -74,7 +75,7 @@ def test_finished_run_is_made_longer(tmp_path):
     assert run.finish()["collisions"] == 2100
 
 
-def test_resume_refuses_with_the_text_of_the_program(tmp_path):
+def test_resume_refuses_with_the_text_of_the_program_in_words_of_python(tmp_path):
     output = tmp_path / "out.h5"
     zenosphere.Run(case(), output=output).finish()
     zenosphere.Run.resume(output).finish()
@@ -84,7 +85,10 @@ def test_resume_refuses_with_the_text_of_the_program(tmp_path):
         code, printed = failure("resume", file)
         with pytest.raises(zenosphere.InputError) as caught:
             zenosphere.Run.resume(file)
-        assert code == 2 and str(caught.value) == printed
+        assert code == 2 and str(caught.value) == in_python_words(printed)
+        assert "--set" not in str(caught.value)
+    with pytest.raises(zenosphere.OutputError, match="pass overwrite=True$"):
+        zenosphere.Run(case(), output=output)
 
 
 def test_saved_run_survives_the_death_of_its_process(tmp_path):

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import pytest
-from module import CHECKOUT, needed
+from module import CHECKOUT, PROGRAM, needed
 
 import zenosphere
 
@@ -52,19 +52,51 @@ def test_everything_public_is_documented():
                 assert inspect.getdoc(member), (name, each)
 
 
-def test_errors_and_figures_need_no_compiled_part(tmp_path):
-    script = ("import zenosphere, zenosphere.figures\n"
-              "zenosphere.InputError, zenosphere.OutputError\n"
-              "try: zenosphere.Run\n"
-              "except ImportError as error: print(error)\n")
+@pytest.fixture
+def copy_of_the_sources(tmp_path):
+    """A folder with the package, without its compiled part."""
     copy = tmp_path / "zenosphere"
     copy.mkdir()
     for file in PACKAGE.glob("*.py"):
         (copy / file.name).symlink_to(file)
+    return tmp_path
+
+
+def test_errors_and_figures_need_no_compiled_part(copy_of_the_sources):
+    script = ("import zenosphere, zenosphere.figures\n"
+              "zenosphere.InputError, zenosphere.OutputError\n"
+              "try: zenosphere.Run\n"
+              "except ImportError as error: print(error)\n")
     done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True,
-                          text=True, env={**os.environ, "PYTHONPATH": str(tmp_path)})
+                          text=True, env={**os.environ, "PYTHONPATH": str(copy_of_the_sources)})
     assert "zenosphere.Run: needs the compiled part" in done.stdout
     assert "PYTHONPATH=build/python" in done.stdout
+
+
+@needed
+def test_names_of_the_package_are_seen_before_they_are_used():
+    script = "import zenosphere; print(*dir(zenosphere)); help(zenosphere)"
+    shown = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True,
+                           text=True, env=ENVIRONMENT).stdout
+    names, text = shown.split("\n", 1)
+    assert set(zenosphere.__all__) | {"__version__"} <= set(names.split())
+    for heading in ("class Case(", "class Output(", "class Run(", "class State(", "open("):
+        assert heading in text
+    assert "VERSION\n    0.1.0" in text.replace(zenosphere.__version__, "0.1.0")
+
+
+def test_version_is_that_of_the_program():
+    text = (CHECKOUT / "CMakeLists.txt").read_text()
+    assert zenosphere.__version__ == re.search(r"VERSION ([\d.]+) LANGUAGES", text)[1]
+    assert f"version: {zenosphere.__version__}" in (CHECKOUT / "CITATION.cff").read_text()
+
+
+def test_dir_without_the_compiled_part_names_what_works(copy_of_the_sources):
+    script = "import zenosphere; print(*dir(zenosphere)); help(zenosphere)"
+    done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True,
+                          text=True, env={**os.environ, "PYTHONPATH": str(copy_of_the_sources)})
+    names = done.stdout.splitlines()[0].split()
+    assert "InputError" in names and "Run" not in names
 
 
 def test_unknown_name_is_an_attribute_error():
@@ -90,3 +122,38 @@ def test_python_in_a_document_runs_from_its_first_line_to_its_last(tmp_path, doc
     done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, check=True,
                           capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
     assert done.stdout and done.stderr == ""
+
+
+def test_console_command_is_the_program_and_the_figures(tmp_path, monkeypatch, capfd):
+    from zenosphere import __main__, console
+    [choices] = [action.choices for action in __main__._parser()._actions if action.choices]
+    assert set(console.COMMANDS) == set(choices)
+    monkeypatch.setattr(sys, "argv", ["zenosphere", "figures"])
+    assert console.main() == 2  # which file?
+    assert "figures: no run given" in capfd.readouterr().err
+    monkeypatch.setattr(sys, "argv", ["zenosphere", "run", "case.toml"])
+    monkeypatch.setattr(console, "PROGRAM", tmp_path / "zenosphere")
+    assert console.main() == 2
+    assert "pip install" in capfd.readouterr().err
+
+
+@needed
+def test_installed_package_has_the_program_as_its_command(tmp_path):
+    pytest.importorskip("wheel", reason="python3-wheel is not installed; scripts/test does that")
+    pytest.importorskip("pip", reason="python3-pip is not installed; scripts/test does that")
+    build = PROGRAM.parent
+    subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-build-isolation",
+                    "--no-deps", "--wheel-dir", tmp_path, CHECKOUT], check=True, timeout=100,
+                   env={**os.environ, "ZENOSPHERE_BUILD": str(build)})
+    [wheel] = tmp_path.glob("zenosphere-*.whl")
+    subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--target",
+                    tmp_path / "there", wheel], check=True, timeout=100)
+    command = [tmp_path / "there" / "bin" / "zenosphere"]
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path / "there")}
+    for words, told in ((["--version"], f"zenosphere {zenosphere.__version__} "),
+                        (["--help"], "ensemble"), (["figures", "--help"], "--true-collapse")):
+        done = subprocess.run([*command, *words], check=True, capture_output=True, text=True,
+                              env=environment)
+        assert told in done.stdout
+    done = subprocess.run([*command, "run"], capture_output=True, text=True, env=environment)
+    assert done.returncode == 2 and "CASE.toml missing" in done.stderr

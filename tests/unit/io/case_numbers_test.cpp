@@ -25,8 +25,11 @@ TEST(CaseNumbers, WhatWouldBeReadAsZeroOrInfinityIsRefusedWithTheLimit) {
 
 TEST(CaseNumbers, IntegersBeyondTheirRangeAreRefusedWithTheLimit) {
   EXPECT_EQ(number_objection("99999999999999999999"),
-            "99999999999999999999 (integers are in [-9223372036854775808, 9223372036854775807]); "
-            "write 1e+20 if a real number will do");
+            "99999999999999999999 (too large: integers are at most 9223372036854775807); where a "
+            "real number will do, write 1e+20");
+  EXPECT_EQ(number_objection("-99999999999999999999"),
+            "-99999999999999999999 (too small: integers are at least -9223372036854775808); where "
+            "a real number will do, write -1e+20");
   EXPECT_FALSE(number_objection("9223372036854775807"));
   EXPECT_FALSE(number_objection("-9223372036854775808"));
 }
@@ -114,8 +117,8 @@ TEST(CaseNumbers, AWrongNumberOfAnOverrideIsNamedWithItsKey) {
   EXPECT_EQ(objection(cooling_case, "system.restitution=0,3"),
             "system.restitution = 0,3 (needs a point, not a comma); write 0.3");
   EXPECT_EQ(objection(cooling_case, "start.seed=99999999999999999999"),
-            "start.seed = 99999999999999999999 (integers are in [-9223372036854775808, "
-            "9223372036854775807]); write 1e+20 if a real number will do");
+            "start.seed = 99999999999999999999 (too large: integers are at most "
+            "9223372036854775807); where a real number will do, write 1e+20");
   EXPECT_EQ(objection(cooling_case, "run.time=1e-400"),
             "run.time = 1e-400 (real numbers other than 0 are at least 4.94e-324); write 0 or a "
             "larger one");

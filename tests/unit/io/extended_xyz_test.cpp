@@ -120,6 +120,17 @@ TEST_F(ExtendedXyz, WhatIsToldTwiceIsRefused) {
             "start:2: Properties has pos twice; keep one");
 }
 
+TEST_F(ExtendedXyz, MomentaBesideVelocitiesMustRepeatThem) {
+  const std::string both = replaced(xyz_header, "velo:R:3", "velo:R:3:momenta:R:3");
+  EXPECT_EQ(problem_of(both + "A 1 1 0 1 0.5 0 1 0.5 0\nA 4 1 0 0 0 0 0 0 0\n"), "");
+  EXPECT_EQ(given_start(case_with()).velocities, (std::vector<double>{1, 0.5, 0, 0}));
+  EXPECT_EQ(problem_of(both + "A 1 1 0 1 0.5 0 2 1 0\nA 4 1 0 0 0 0 0 0 0\n"),
+            "start:3: momentum 2 beside velo 1 (they are equal: mass is the unit); keep one");
+  EXPECT_EQ(problem_of(replaced(both, "momenta:R:3", "momenta:R:2") +
+                       "A 1 1 0 1 0.5 0 1 0.5\nA 4 1 0 0 0 0 0 0\n"),
+            "start:2: Properties has momenta of 2 columns (must be 3, as of velo)");
+}
+
 TEST_F(ExtendedXyz, RadiusDiameterAndMassAreThoseOfAUnitSphere) {
   const auto with = [](const std::string& name, const std::string& value) {
     return replaced(xyz_header, "velo:R:3", "velo:R:3:" + name + ":R:1") + "A 1 1 0 1 0.5 0 " +

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace zenosphere {
+
+/// An array that takes over a vector, without copying it.
+///
+/// \param shape  its product is the size of the vector
+template <class T>
+pybind11::array owning_array(std::vector<T> values, std::vector<pybind11::ssize_t> shape) {
+  auto kept = std::make_unique<std::vector<T>>(std::move(values));
+  const T* data = kept->data();
+  const pybind11::capsule owner(kept.get(),
+                                [](void* vector) { delete static_cast<std::vector<T>*>(vector); });
+  kept.release();
+  return pybind11::array_t<T>(std::move(shape), data, owner);
+}
+
+/// A table of so many columns.
+inline pybind11::array owning_table(std::vector<double> values, pybind11::ssize_t columns) {
+  const auto rows = static_cast<pybind11::ssize_t>(values.size()) / columns;
+  return owning_array(std::move(values), {rows, columns});
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,79 @@
+#include "python/read_output.hpp"
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "io/info.hpp"
+#include "io/output_reader.hpp"
+#include "io/recorded_run.hpp"
+#include "io/rehearsal.hpp"
+#include "python/arrays.hpp"
+#include "python/files.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+namespace py = pybind11;
+
+/// What reading a whole run returns, roughly [bytes].
+std::int64_t bytes_of(const std::string& file) {
+  std::error_code failure;
+  std::int64_t bytes = 0;
+  for (const std::filesystem::path& path : {std::filesystem::path(file), journal_of(file)}) {
+    const auto size = std::filesystem::file_size(path, failure);
+    if (!failure) bytes += static_cast<std::int64_t>(size);
+  }
+  return bytes;
+}
+
+/// Does a reading of a run, once it went well in a copy of the process; without Python's lock.
+template <class Action>
+auto read_safely(const std::string& file, Action action) {
+  const py::gil_scoped_release unlocked;
+  return files.read([&] {
+    rehearse(file, bytes_of(file), [&] { action(RecordedRun(file)); });
+    return action(RecordedRun(file));
+  });
+}
+
+std::vector<CollisionRow> rows_of(const RecordedRun& run) {
+  std::vector<CollisionRow> rows;
+  for (std::int64_t n = 0; n < run.log_pieces(); ++n) {
+    const std::vector<CollisionRow> piece = run.log_piece(n);
+    rows.insert(rows.end(), piece.begin(), piece.end());
+  }
+  return rows;
+}
+
+}  // namespace
+
+ReadOutput::ReadOutput(std::string file) : file_(std::move(file)) {
+  read_safely(file_, [&](const RecordedRun& run) {
+    const OutputInfo info = read_output_info(file_);
+    info_ = to_json(info);
+    resolved_case_ = info.resolved_case;
+    case_text_ = info.case_text;
+    has_every_collision_ = info.log_complete;
+    dimension_ = info.dimension;
+    snapshots_ = run.snapshots();
+    return 0;
+  });
+}
+
+py::array ReadOutput::collisions() const {
+  std::vector<CollisionRow> rows = read_safely(file_, rows_of);
+  const auto count = static_cast<py::ssize_t>(rows.size());
+  return owning_array(std::move(rows), {count});
+}
+
+py::tuple ReadOutput::snapshot(std::int64_t n) const {
+  Snapshot snapshot = read_safely(file_, [n](const RecordedRun& run) { return run.snapshot(n); });
+  return py::make_tuple(snapshot.step, snapshot.time,
+                        owning_table(std::move(snapshot.positions), dimension_),
+                        owning_table(std::move(snapshot.velocities), dimension_),
+                        owning_table(std::move(snapshot.box_edges), dimension_));
+}
+
+}  // namespace zenosphere
