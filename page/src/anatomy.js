@@ -1,14 +1,16 @@
 // How the collapsing cluster decays: gap, closing speed and flight of its collisions.
 import uPlot from "uplot";
-import { decades } from "./axes.js";
+import { logNames, logTicks } from "./axes.js";
 import { BLUE, INK, VERMILION } from "./colours.js";
 import { button, element, section } from "./dom.js";
-import { grouped, pairName, power, short } from "./format.js";
+import { figureAsCanvas, figureAsSvg } from "./figure.js";
+import { grouped, pairName, short } from "./format.js";
+import { csv, fileStem, saveMenu } from "./save.js";
 
 const CURVES = [
-  ["gap", "gap closed", INK, "gap"],
-  ["normal_speed", "closing speed", VERMILION, "speed"],
-  ["flight", "flight", BLUE, "flight"],
+  ["gap", "gap closed", INK, "gap", "diameters"],
+  ["normal_speed", "closing speed", VERMILION, "speed", "diameters/time"],
+  ["flight", "flight", BLUE, "flight", "time"],
 ];
 const SHAPES = ["square", "triangle", "circle"]; // not colour alone
 const TITLES = { hit: "first hit", arrest: "arrest" };
@@ -57,9 +59,10 @@ function describe({ decay, clusters: [cluster], collision }) {
 
 function decayPlot(run, { collisions: rows }, place, which) {
   const x = rows.k.map((_, n) => n + 1 - rows.k.length);
-  const columns = CURVES.map(([key]) => rows[key].map((value) => (value > 0 ? value : null)));
+  const curves = CURVES.map(([key]) => rows[key].map((value) => (value > 0 ? value : null)));
   const readout = element("output", { class: "readout" });
-  place.append(readout);
+  const head = element("div", { class: "plot-head" }, readout);
+  place.append(head);
   const chart = new uPlot(
     {
       width: place.clientWidth,
@@ -78,25 +81,26 @@ function decayPlot(run, { collisions: rows }, place, which) {
         {
           size: 74,
           stroke: INK,
-          label: "in diameters, time unit of the case",
+          label: "gap, speed, flight (units below)",
           labelSize: 20,
-          splits: (_, __, low, high) => decades(low, high),
+          splits: (_, __, low, high) => logTicks(low, high),
           filter: (_, at) => at,
-          values: (_, at) => at.map((y) => power(Math.round(Math.log10(y)))),
+          values: (_, at) => logNames(at),
         },
       ],
       series: [
         { label: "collision", value: (_, k) => (k === null ? "" : short(k)) },
-        ...CURVES.map(([, label, stroke], n) => ({
-          label: `${label} (${SHAPES[n]})`,
+        ...CURVES.map(([, label, stroke, , unit], n) => ({
+          label: `${label}, ${unit} (${SHAPES[n]})`,
           stroke,
           width: 1,
           paths: () => null,
-          points: { show: true, size: 5, fill: stroke, paths: shape(SHAPES[n]) },
+          points: { show: false },
           value: (_, value) => short(value),
         })),
       ],
       hooks: {
+        draw: [(drawn) => paintCurves(drawn.ctx, drawn)],
         setCursor: [
           ({ cursor: { idx } }) => {
             readout.textContent =
@@ -108,32 +112,59 @@ function decayPlot(run, { collisions: rows }, place, which) {
         ],
       },
     },
-    [x, ...columns],
+    [x, ...curves],
     place,
+  );
+  const title = `${CURVES.map(([, name], n) => `${name} (${SHAPES[n]})`).join(", ")}`;
+  const figure = () => ({
+    chart,
+    title,
+    subtitle: run.name,
+    paint: (ctx) => paintCurves(ctx, chart),
+  });
+  const columns = ["k", "time", "i", "j", "gap", "normal_speed", "flight"];
+  head.append(
+    saveMenu(title, () => fileStem(run.name, which, "decay"), {
+      png: () => figureAsCanvas(figure()),
+      svg: () => figureAsSvg(figure()),
+      csv: () =>
+        csv(
+          ["collision", ...columns.slice(1)],
+          rows.k.map((_, n) => columns.map((name) => rows[name][n])),
+        ),
+    }),
   );
   new ResizeObserver(() => chart.setSize({ width: place.clientWidth, height: 300 })).observe(place);
 }
 
-/** Points of a shape, as uPlot wants them. */
-function shape(name) {
-  return (u, series) => {
-    const path = new Path2D(),
-      half = 2.6 * devicePixelRatio;
-    u.data[series].forEach((value, n) => {
+/** Draws the curves as points, each with a shape of its own. */
+function paintCurves(ctx, chart) {
+  const { left, top, width, height } = chart.bbox;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(left, top, width, height);
+  ctx.clip();
+  CURVES.forEach(([, , colour], series) => {
+    ctx.fillStyle = colour;
+    chart.data[series + 1].forEach((value, n) => {
       if (value === null) return;
-      const x = u.valToPos(u.data[0][n], "x", true),
-        y = u.valToPos(value, u.series[series].scale, true);
-      if (name === "square") path.rect(x - half, y - half, 2 * half, 2 * half);
-      else if (name === "circle") {
-        path.moveTo(x + half, y);
-        path.arc(x, y, half, 0, 7);
-      } else {
-        path.moveTo(x, y - half);
-        path.lineTo(x + half, y + half);
-        path.lineTo(x - half, y + half);
-        path.closePath();
-      }
+      const x = chart.valToPos(chart.data[0][n], "x", true);
+      ctx.beginPath();
+      shapePath(ctx, SHAPES[series], x, chart.valToPos(value, "y", true));
+      ctx.fill();
     });
-    return { fill: path, stroke: null };
-  };
+  });
+  ctx.restore();
+}
+
+function shapePath(ctx, name, x, y) {
+  const half = 2.6 * devicePixelRatio;
+  if (name === "square") ctx.rect(x - half, y - half, 2 * half, 2 * half);
+  else if (name === "circle") ctx.arc(x, y, half, 0, 2 * Math.PI);
+  else {
+    ctx.moveTo(x, y - half);
+    ctx.lineTo(x + half, y + half);
+    ctx.lineTo(x - half, y + half);
+    ctx.closePath();
+  }
 }

@@ -76,13 +76,15 @@ export class Cell {
         [this.rowLength, -3 * n, 0],
       ]);
     }
-    const corners = this.corners(),
-      found = [];
-    corners.forEach((corner, n) => {
-      for (let d = 0; d < this.dimension; ++d)
-        if (!(n & (1 << d))) found.push([corner, corners[n | (1 << d)]]);
-    });
-    return found;
+    return this.edgesByAxis().flat();
+  }
+
+  /** For each axis the pairs of corners that an edge along it joins; of rows the first and the last. */
+  edgesByAxis() {
+    const corners = this.corners();
+    return Array.from({ length: this.dimension }, (_, d) =>
+      corners.flatMap((corner, n) => (n & (1 << d) ? [] : [[corner, corners[n | (1 << d)]]])),
+    );
   }
 
   centre() {

@@ -1,7 +1,10 @@
 // The plots over the collision axis: the paper's, and which pair collides.
+import { timeAxis } from "./axes.js";
+import { paintLevel } from "./marks.js";
 import { pairsPlot } from "./pairs_plot.js";
 import { Plot } from "./plot.js";
 import { INK } from "./colours.js";
+import { Selection } from "./selection.js";
 import { count, DASH, grouped, pairName, short } from "./format.js";
 
 const FLAGS = [
@@ -61,6 +64,34 @@ function sharedView(log) {
 
 const floored = (values, floor) => values.map((value) => (value < floor ? floor : value));
 
+/** Entries of a view, which they are: columns of a table. */
+export function placesOf(view) {
+  const last = (n) => view.k[n] + view.count[n] - 1;
+  return view.width === 1
+    ? { head: ["collision"], row: (n) => [view.k[n]] }
+    : { head: ["first_collision", "last_collision"], row: (n) => [view.k[n], last(n)] };
+}
+
+/** A table [head, rows] of a view; columns: {name: values, or [lowest, highest]}. */
+function tableOf(view, columns) {
+  const places = placesOf(view),
+    isSingle = view.width === 1;
+  const parts = Object.entries(columns).flatMap(([name, [low, high]]) =>
+    isSingle || !high
+      ? [[name, low]]
+      : [
+          [`${name}_smallest`, low],
+          [`${name}_largest`, high],
+        ],
+  );
+  const rows = Array.from({ length: view.size }, (_, n) => [
+    ...places.row(n),
+    ...parts.map(([, values]) => values[n]),
+    view.hits[n],
+  ]);
+  return [[...places.head, ...parts.map(([name]) => name), "hits"], rows];
+}
+
 /** Plots of a quantity that a view of the log has. */
 class LogQuantity {
   constructor(about, take, run) {
@@ -71,6 +102,12 @@ class LogQuantity {
     this.view = this.takeView(first, last, entries);
     if (!this.view) return { x: [first, last], low: [NaN, NaN], high: [NaN, NaN] };
     return { x: this.view.k, ...this.columns(this.view) };
+  }
+
+  /** Everything that the page has of a range, whether a plot can show it or not. */
+  numbers(first, last) {
+    const view = this.takeView(first, last, Infinity);
+    return view ? tableOf(view, this.table(view)) : [["collision"], []];
   }
 
   read(n) {
@@ -90,6 +127,7 @@ function gapPlot(run, take) {
       hasMarkNames: true,
       height: 210,
       columns: (view) => ({ low: floored(view.gapLow, floor), high: floored(view.gapHigh, floor) }),
+      table: (view) => ({ gap: [view.gapLow, view.gapHigh] }),
       text: (view, n) =>
         view.gapLow[n] <= floor && view.gapHigh[n] === view.gapLow[n]
           ? `gap ${view.gapLow[n]}`
@@ -99,7 +137,7 @@ function gapPlot(run, take) {
         plot.paintBars(ctx);
         const hit = [...plot.data.x.keys()].filter((n) => this.view && this.view.hits[n] > 0);
         plot.paintTicks(ctx, hit, floor / 1.6);
-        if (threshold > 0) plot.paintLevel(ctx, threshold, `threshold ${short(threshold)}`);
+        if (threshold > 0) paintLevel(plot, ctx, threshold, `threshold ${short(threshold)}`);
       },
     },
     take,
@@ -119,6 +157,10 @@ function timePlot(run, take) {
         const time = view.time.map((value) => value * scale);
         return { low: time, high: time };
       },
+      table: (view) => ({
+        time: [view.time],
+        ...(sheared && { strain: [view.time.map((time) => time * scale)] }),
+      }),
       text: (view, n) => `${sheared ? "strain" : "time"} ${view.time[n] * scale}`,
       range: ({ high }) => {
         const low = high.reduce((a, b) => Math.min(a, b), Infinity);
@@ -144,6 +186,7 @@ function flightPlot(run, take) {
         floor = positiveRange(view.flightLow, view.flightHigh)[0] / 10;
         return { low: floored(view.flightLow, floor), high: floored(view.flightHigh, floor) };
       },
+      table: (view) => ({ time_per_collision: [view.flightLow, view.flightHigh] }),
       text: (view, n) => {
         if (view.flightHigh[n] === 0) return "the clock does not move";
         return extremes(view.flightLow[n], view.flightHigh[n], 4);
@@ -175,6 +218,7 @@ function speedPlot(run, take) {
         floor = positiveRange(view.speedLow, view.speedHigh)[0] / 2;
         return { low: floored(view.speedLow, floor), high: floored(view.speedHigh, floor) };
       },
+      table: (view) => ({ normal_speed: [view.speedLow, view.speedHigh] }),
       text: (view, n) => extremes(view.speedLow[n], view.speedHigh[n]),
       range: ({ high }) => [floor, positiveRange(high)[1] * 2],
     },
@@ -183,13 +227,21 @@ function speedPlot(run, take) {
   );
 }
 
-function temperaturePlot(run) {
+/** Temperatures of the snapshots against `places`, one for each. */
+function temperaturePlot(run, id, title, places) {
   const { step, time, granular_temperature: temperature } = run.snapshots;
   return {
-    id: "temperature",
-    title: "Granular temperature of the snapshots (diameter\u00b2/time\u00b2)",
+    id,
+    title,
     isLog: true,
-    take: () => ({ x: step, low: temperature, high: temperature }),
+    take: () => ({ x: places, low: temperature, high: temperature }),
+    numbers: (first, last) => [
+      ["snapshot", "collision", "time", "granular_temperature"],
+      [...places.keys()]
+        .filter((n) => places[n] >= first && places[n] <= last)
+        .map((n) => [n + 1, step[n], time[n], temperature[n]]),
+    ],
+    source: run.name,
     range({ high }) {
       const [low, top] = positiveRange(high);
       return [low / 1.6, top * 1.6];
@@ -201,18 +253,46 @@ function temperaturePlot(run) {
       plot.paintLine(ctx, "#9aa5b1");
       const half = 3 * devicePixelRatio;
       ctx.fillStyle = INK;
-      step.forEach((k, n) => {
+      places.forEach((x, n) => {
         ctx.beginPath();
-        ctx.arc(plot.x(k), plot.y(temperature[n]), half, 0, 7);
+        ctx.arc(plot.x(x), plot.y(temperature[n]), half, 0, 7);
         ctx.fill();
       });
     },
   };
 }
 
-/** All plots, not drawn yet. */
+const TEMPERATURE = "Granular temperature of the snapshots (diameter\u00b2/time\u00b2)";
+
+/** All plots over collisions, not drawn yet. */
 export function collisionPlots(run, log, selection, marks, snapshotStep) {
   const take = sharedView(log);
-  const definitions = [gapPlot, timePlot, flightPlot, speedPlot, temperaturePlot, pairsPlot];
-  return definitions.map((make) => new Plot(make(run, take), selection, marks, snapshotStep));
+  const cooling = () => temperaturePlot(run, "temperature", TEMPERATURE, run.snapshots.step);
+  const definitions = [gapPlot, timePlot, flightPlot, speedPlot, cooling, pairsPlot];
+  return definitions.map((make) => {
+    const definition = Object.assign(make(run, take), { source: run.name });
+    return new Plot(definition, selection, marks, snapshotStep);
+  });
+}
+
+/**
+ * The granular temperature against time (strain, where the cell is sheared), with a zoom of its own.
+ *
+ * marks: [{time, label}];  snapshotNumber() -> number of the snapshot shown
+ */
+export function temperatureOverTime(run, marks, snapshotNumber) {
+  const sheared = run.values.drive === "shear",
+    scale = sheared ? run.values.shear_rate : 1;
+  const places = run.snapshots.time.map((time) => time * scale);
+  const name = sheared ? "Strain" : "Time";
+  const title = `${TEMPERATURE} against ${name.toLowerCase()}`;
+  return new Plot(
+    temperaturePlot(run, "cooling", title, places),
+    Selection.ofTime(places[0] ?? 0, places.at(-1) ?? 1),
+    marks
+      .filter(({ time }) => time !== undefined)
+      .map((mark) => ({ ...mark, k: mark.time * scale })),
+    () => places[snapshotNumber()],
+    timeAxis(name),
+  );
 }

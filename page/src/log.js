@@ -2,7 +2,11 @@
 
 /** One stretch of the log, columns as the program wrote them (src/report/log_digest.hpp). */
 export class Stretch {
-  /** column: name => typed array;  about: {name, width, bins} */
+  /**
+   * column: name => typed array;  about: {name, width, bins, last, pairs}
+   *
+   * pairs: [[i, j, collisions], ...], the most frequent ones of a log that is binned
+   */
   constructor(about, column) {
     this.width = about.width;
     this.size = about.bins;
@@ -19,6 +23,8 @@ export class Stretch {
     this.flightLow = single ? null : read("flight_low");
     this.flightHigh = single ? null : read("flight_high");
     this.hits = single ? null : read("hits");
+    this.pairMask = about.pairs ? read("pairs") : null;
+    this.pairs = about.pairs ?? null;
     this.i = single ? read("i") : null;
     this.j = single ? read("j") : null;
   }

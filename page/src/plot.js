@@ -1,20 +1,23 @@
 // One plot over the collision axis: bars from the smallest to the largest value of each entry.
 import uPlot from "uplot";
-import { LEFT, xAxis, yAxis } from "./axes.js";
+import { COLLISIONS, LEFT, yAxis } from "./axes.js";
 import { BLUE, GREY, INK, VERMILION } from "./colours.js";
 import { element } from "./dom.js";
+import { figureAsCanvas, figureAsSvg } from "./figure.js";
+import { nameMarks } from "./marks.js";
+import { csv, fileStem, saveMenu } from "./save.js";
 
-const HEIGHT = 150; // CSS pixels
-const MARK_FONT = 11;
+const HEIGHT = 168; // CSS pixels
 
 export class Plot {
   /**
    * definition: {id, title, isLog, take(first, last, entries) -> {x, low, high}, range(data),
-   *   paint(plot, context), read(n), rows}
-   * marks: [{k, label}];  snapshotStep() -> collision number of the snapshot shown
+   *   paint(plot, context), read(n), rows, numbers(first, last) -> [head, rows], source}
+   * selection: of collisions, or of what else the horizontal axis shows (axes.js)
+   * marks: [{k, label}];  snapshotPlace() -> where on that axis the snapshot shown is
    */
-  constructor(definition, selection, marks, snapshotStep) {
-    Object.assign(this, { definition, selection, marks, snapshotStep });
+  constructor(definition, selection, marks, snapshotPlace, horizontal = COLLISIONS) {
+    Object.assign(this, { definition, selection, marks, snapshotPlace, horizontal });
     this.data = { x: [0], low: [NaN], high: [NaN] };
     this.readout = element("output", { class: "readout" });
     this.box = element(
@@ -24,12 +27,18 @@ export class Plot {
         id: `plot-${definition.id}`,
         tabindex: "0",
         role: "group",
-        "aria-label": `${definition.title}, against the number of collisions`,
+        "aria-label": `${definition.title}, against ${horizontal.name}`,
         onkeydown: (event) => this.key(event),
         onfocus: () => this.readout.setAttribute("aria-live", "polite"),
         onblur: () => this.readout.removeAttribute("aria-live"),
       },
-      element("div", { class: "plot-head" }, element("h3", {}, definition.title), this.readout),
+      element(
+        "div",
+        { class: "plot-head" },
+        element("h3", {}, definition.title),
+        this.readout,
+        this.saveMenu(),
+      ),
     );
   }
 
@@ -43,20 +52,20 @@ export class Plot {
         legend: { show: false },
         padding: [10, 28, 0, 0],
         cursor: {
-          sync: { key: "collisions", scales: ["x", null] },
+          sync: { key: this.horizontal.key, scales: ["x", null] },
           drag: { x: true, y: false, setScale: false },
           points: { show: !definition.rows, size: 7 },
           y: false,
         },
         scales: {
-          x: { time: false, range: () => [this.selection.first - 0.5, this.selection.last + 0.5] },
+          x: { time: false, range: () => this.range() },
           y: {
             distr: definition.isLog ? 3 : 1,
             dir: definition.rows ? -1 : 1,
             range: () => definition.range(this.data),
           },
         },
-        axes: [xAxis, yAxis(definition)],
+        axes: [this.horizontal.axis, yAxis(definition)],
         series: [
           {},
           ...["high", "low"].map(() => ({
@@ -66,7 +75,7 @@ export class Plot {
           })),
         ],
         hooks: {
-          draw: [(chart) => this.paint(chart)],
+          draw: [(chart) => this.paint(chart.ctx)],
           setSelect: [(chart) => this.selected(chart)],
           setCursor: [(chart) => this.hover(chart)],
         },
@@ -81,9 +90,16 @@ export class Plot {
       },
       { capture: true },
     );
-    this.box.addEventListener("dblclick", () => this.selection.reset());
+    this.chart.over.addEventListener("dblclick", () => this.selection.reset());
     new ResizeObserver(() => this.resize()).observe(this.box);
     this.update();
+  }
+
+  /** What the horizontal axis shows. */
+  range() {
+    const { first, last } = this.selection,
+      margin = this.horizontal.margin(this.selection);
+    return [first - margin, last + margin];
   }
 
   resize() {
@@ -153,8 +169,24 @@ export class Plot {
     chart.setCursor({ left, top: chart.bbox.height / 2 / devicePixelRatio }, true);
   }
 
-  paint(chart) {
-    const { ctx, bbox } = chart;
+  saveMenu() {
+    const { definition, selection } = this;
+    const figure = () => ({
+      chart: this.chart,
+      title: definition.title,
+      subtitle: definition.source,
+      paint: (ctx) => this.paint(ctx),
+    });
+    return saveMenu(definition.title, () => fileStem(definition.source, definition.id), {
+      png: () => figureAsCanvas(figure()),
+      svg: () => figureAsSvg(figure()),
+      csv: () => csv(...definition.numbers(selection.first, selection.last)),
+    });
+  }
+
+  /** Draws on a context that has the pixels of the chart's canvas. */
+  paint(ctx) {
+    const { bbox } = this.chart;
     ctx.save();
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
@@ -212,51 +244,8 @@ export class Plot {
       ctx.setLineDash([]);
     };
     for (const { k } of this.marks) line(k, BLUE, []);
-    if (this.definition.hasMarkNames) this.nameMarks(ctx, top);
-    line(this.snapshotStep(), GREY, [4, 3]);
-  }
-
-  nameMarks(ctx, top) {
-    ctx.font = `${MARK_FONT * devicePixelRatio}px system-ui, sans-serif`;
-    const { left, width: wide } = this.chart.bbox,
-      space = 4 * devicePixelRatio;
-    const high = (MARK_FONT + 4) * devicePixelRatio;
-    const { first, last } = this.selection;
-    this.marks
-      .filter(({ k }) => k >= first && k <= last)
-      .forEach(({ k, label }, n) => {
-        const width = ctx.measureText(label).width + 2 * space;
-        const at = Math.min(Math.max(left, this.x(k) + space), left + wide - width);
-        ctx.fillStyle = "rgb(255 255 255 / 0.9)";
-        ctx.fillRect(at, top + n * high, width, high);
-        ctx.fillStyle = BLUE;
-        ctx.fillText(label, at + space, top + (n + 0.8) * high);
-      });
-  }
-
-  /** A horizontal dashed line with a name. */
-  paintLevel(ctx, value, name) {
-    const { left, width } = this.chart.bbox;
-    ctx.strokeStyle = ctx.fillStyle = "black";
-    ctx.lineWidth = devicePixelRatio;
-    ctx.setLineDash([6 * devicePixelRatio, 3 * devicePixelRatio]);
-    ctx.beginPath();
-    ctx.moveTo(left, this.y(value));
-    ctx.lineTo(left + width, this.y(value));
-    ctx.stroke();
-    ctx.setLineDash([]);
-    ctx.font = `${MARK_FONT * devicePixelRatio}px system-ui, sans-serif`;
-    const wide = ctx.measureText(name).width,
-      space = 4 * devicePixelRatio;
-    ctx.fillStyle = "rgb(255 255 255 / 0.9)";
-    ctx.fillRect(
-      left + width - wide - 2 * space,
-      this.y(value) - 4 * space,
-      wide + 2 * space,
-      3.6 * space,
-    );
-    ctx.fillStyle = "black";
-    ctx.fillText(name, left + width - wide - space, this.y(value) - 1.3 * space);
+    if (this.definition.hasMarkNames) nameMarks(this, ctx);
+    line(this.snapshotPlace(), GREY, [4, 3]);
   }
 
   /** Ticks at the collisions of some entries. */

@@ -1,12 +1,12 @@
 // The page of one run.
 import { anatomySection } from "./anatomy.js";
-import { collisionPlots } from "./collision_plots.js";
+import { collisionPlots, temperatureOverTime } from "./collision_plots.js";
 import { column } from "./data.js";
 import { button, element, section, table } from "./dom.js";
 import { DASH, grouped, short } from "./format.js";
 import { Log, Stretch } from "./log.js";
 import { caseSection, licencesSection } from "./provenance.js";
-import { Choice, Selection } from "./selection.js";
+import { Choice, Selection, wantedRange } from "./selection.js";
 import { SphereView } from "./sphere_view.js";
 import { evidence, sentence } from "./verdict.js";
 
@@ -14,7 +14,12 @@ const AROUND = 1500; // collisions shown on each side of what a button names
 
 export function runPage(root, run) {
   document.title = `${run.name} ${DASH} Zenosphere report`;
-  const log = new Log(run.log.map((about) => new Stretch(about, column)));
+  const log = new Log(
+    run.log.map((about, n) => {
+      const pairs = n === 0 && run.pairs.length ? run.pairs : undefined;
+      return new Stretch({ ...about, pairs }, column);
+    }),
+  );
   const steps = run.snapshots.step;
   const selection = log.isEmpty
     ? new Selection(steps[0] ?? 0, steps.at(-1) ?? 1)
@@ -96,34 +101,34 @@ function verdictSection(run) {
 function marksOf(run) {
   const { separation, arrest } = run.summary;
   const found = [
-    [separation?.first_collision, "first hit"],
-    [arrest?.collision, "arrest"],
-    [arrest?.met ? null : separation?.last_collision, "last hit"],
+    [separation?.first_collision, "first hit", separation?.first_time],
+    [arrest?.collision, "arrest", arrest?.time],
+    [arrest?.met ? null : separation?.last_collision, "last hit", separation?.last_time],
   ];
   return found
     .filter(([k]) => k !== null && k !== undefined)
     .sort(([a], [b]) => a - b)
-    .map(([k, label]) => ({ k, label: `${label} ${grouped(k)}`, name: label }));
+    .map(([k, name, time]) => ({
+      k,
+      name,
+      label: `${name} ${grouped(k)}`,
+      time: time ?? undefined,
+    }));
 }
 
 function plotsSection(run, log, selection, snapshot) {
   const marks = marksOf(run);
   const { shown, step } = run.snapshots;
   const plots = collisionPlots(run, log, selection, marks, () => step[shown[snapshot.value]]);
-  const fields = ["first", "last"].map((end) =>
-    element("input", {
-      type: "number",
-      id: `${end}-collision`,
-      onchange: () => selection.set(...fields.map((field) => Number(field.value))),
-    }),
-  );
+  const cooling = temperatureOverTime(run, marks, () => shown[snapshot.value]);
+  const { fields, why } = rangeFields(selection);
   const buttons = marks.map(({ k, name }) =>
     button(name, () => selection.set(k - AROUND, k + AROUND)),
   );
   selection.listen(() => plots.forEach((plot) => plot.update()));
-  selection.listen(() => showRange(selection, fields));
-  snapshot.listen(() => plots.forEach((plot) => plot.redraw()));
-  showRange(selection, fields);
+  cooling.selection.listen(() => cooling.update());
+  const all = [...plots.slice(0, -1), cooling, plots.at(-1)]; // pairs last
+  snapshot.listen(() => all.forEach((plot) => plot.redraw()));
   const box = section(
     "plots",
     "Collisions",
@@ -137,6 +142,7 @@ function plotsSection(run, log, selection, snapshot) {
       fields[1],
       button("All", () => selection.reset(), { id: "reset" }),
       ...buttons,
+      why,
     ),
     element(
       "p",
@@ -146,9 +152,29 @@ function plotsSection(run, log, selection, snapshot) {
         "Blue: hits and arrest; dashed grey: the snapshot shown. " +
         thinningNote(run),
     ),
-    ...plots.map(({ box: plot }) => plot),
+    ...all.map(({ box: plot }) => plot),
   );
-  return { box, start: () => plots.forEach((plot) => plot.start()) };
+  return { box, start: () => all.forEach((plot) => plot.start()) };
+}
+
+/** Two fields for the range of collisions, and a place that says why another one is shown. */
+function rangeFields(selection) {
+  const why = element("output", { class: "why", role: "status" });
+  const choose = (changed) => {
+    const texts = fields.map((field) => field.value);
+    const range = wantedRange(selection, texts, changed);
+    selection.set(range.first, range.last);
+    why.textContent = range.why;
+  };
+  const fields = ["first", "last"].map((end, n) =>
+    element("input", { type: "number", id: `${end}-collision`, onchange: () => choose(n) }),
+  );
+  selection.listen(() => {
+    why.textContent = "";
+    showRange(selection, fields);
+  });
+  showRange(selection, fields);
+  return { fields, why };
 }
 
 function thinningNote(run) {
@@ -158,7 +184,8 @@ function thinningNote(run) {
   if (all.width === 1) return `Every logged collision is in this page.${part}`;
   return (
     `A dash reaches from the smallest to the largest value of ${all.width} or more collisions; ` +
-    `near hits and arrest every collision is in this page.${part}`
+    `near hits and arrest every collision is in this page. Pairs of wider ranges are the most ` +
+    `frequent ones of the whole log.${part}`
   );
 }
 

@@ -1,4 +1,5 @@
 // What all parts of the page look at together: a range of collisions, and a snapshot.
+import { grouped } from "./format.js";
 
 /** A value with listeners. */
 class Shared {
@@ -11,14 +12,20 @@ class Shared {
   }
 }
 
-/** A range of collision numbers inside that of the log. */
+/** A range of collision numbers inside that of the log; or of times, which are not rounded. */
 export class Selection extends Shared {
   static narrowest = 8;
 
-  constructor(first, last) {
+  constructor(first, last, narrowest = Selection.narrowest, rounded = Math.round) {
     super();
-    this.whole = { first, last: Math.max(last, first + Selection.narrowest) };
-    Object.assign(this, this.whole);
+    Object.assign(this, { narrowest, rounded });
+    this.whole = { first, last: Math.max(last, first + narrowest) };
+    Object.assign(this, { first: this.whole.first, last: this.whole.last });
+  }
+
+  /** A range of times, down to a billionth of the whole. */
+  static ofTime(first, last) {
+    return new Selection(first, last, (last - first) * 1e-9 || 1, (time) => time);
   }
 
   get isWhole() {
@@ -29,8 +36,8 @@ export class Selection extends Shared {
   set(first, last) {
     if (!Number.isFinite(first + last)) return this.tell();
     const { whole } = this;
-    let [low, high] = [Math.min(first, last), Math.max(first, last)].map(Math.round);
-    if (!(high - low >= Selection.narrowest)) high = low + Selection.narrowest;
+    let [low, high] = [Math.min(first, last), Math.max(first, last)].map(this.rounded);
+    if (!(high - low >= this.narrowest)) high = low + this.narrowest;
     if (high > whole.last) [low, high] = [low - (high - whole.last), whole.last];
     this.first = Math.max(low, whole.first);
     this.last = high;
@@ -43,7 +50,7 @@ export class Selection extends Shared {
 
   /** Moves by a part of what is shown. */
   pan(part) {
-    const step = Math.round((this.last - this.first) * part);
+    const step = this.rounded((this.last - this.first) * part);
     const most = this.whole.last - this.last,
       least = this.whole.first - this.first;
     const move = Math.max(least, Math.min(most, step));
@@ -54,6 +61,37 @@ export class Selection extends Shared {
   zoom(factor, about = (this.first + this.last) / 2) {
     this.set(about - (about - this.first) * factor, about + (this.last - about) * factor);
   }
+}
+
+/**
+ * What becomes of a range that somebody has typed: {first, last, why}.
+ *
+ * texts: of the two fields;  changed: 0 or 1, the one that was typed in. Where nothing can be shown
+ * first and last are those of before; `why` tells what else than wanted was done, or is empty.
+ */
+export function wantedRange({ first, last, whole, narrowest }, texts, changed) {
+  const before = { first, last };
+  const wanted = texts.map((text) => (text.trim() === "" ? NaN : Number(text)));
+  const typed = wanted[changed];
+  const unchanged = (why) => ({ ...before, why: `${why}; the range is as it was.` });
+  if (!Number.isInteger(typed)) return unchanged("A collision has a whole number");
+  if (typed < whole.first)
+    return unchanged(
+      `There is no collision ${grouped(typed)}: the log begins at ${grouped(whole.first)}`,
+    );
+  if (typed > whole.last)
+    return unchanged(
+      `There is no collision ${grouped(typed)}: the log ends at ${grouped(whole.last)}`,
+    );
+  const [low, high] = wanted;
+  if (high - low >= narrowest) return { first: low, last: high, why: "" };
+  const width = high > low ? narrowest : last - first;
+  const begin = Math.min(Math.max(changed ? high - width : low, whole.first), whole.last - width);
+  const why =
+    high > low
+      ? `At least ${narrowest + 1} collisions are shown`
+      : "A range ends after it begins: its other end was moved too";
+  return { first: begin, last: begin + width, why: `${why}.` };
 }
 
 /** One of a number of things. */

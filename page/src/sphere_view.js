@@ -5,6 +5,7 @@ import { button, element } from "./dom.js";
 import { grouped, short } from "./format.js";
 import { acrossThe, captionOf, groupsOf, unwrapped } from "./groups.js";
 import { Player } from "./player.js";
+import { fileStem, saveMenu } from "./save.js";
 import { Stage } from "./stage.js";
 import { colouringsOf, tintsOf } from "./tints.js";
 
@@ -76,11 +77,17 @@ export class SphereView {
         element("label", { for: "snapshot" }, "Snapshot"),
         this.slider,
         this.moment,
+        this.saveMenu(),
       ),
       element("div", { class: "row" }, this.select("colour", "Colour", colours), this.legend),
       this.groupControls(),
       this.caption,
     );
+  }
+
+  saveMenu() {
+    const stem = () => fileStem(this.run.name, "snapshot", this.shown[this.snapshot.value] + 1);
+    return saveMenu("this view", stem, { png: () => this.stage.picture() });
   }
 
   select(key, label, options) {
@@ -159,7 +166,7 @@ export class SphereView {
 
   lookAtCell() {
     const cell = this.cell(this.snapshot.value);
-    this.stage.lookAt(cell.corners(), Math.max(1, (0.07 * Math.max(...cell.sides)) / cell.rows));
+    this.stage.lookAt(cell.corners(), 1);
   }
 
   lookAtGroup() {
@@ -259,25 +266,15 @@ export class SphereView {
           text: String(sphere),
           at: at(sphere),
           kind: inPair.has(sphere) ? "pair" : "sphere",
-          beside: 0.6,
         });
       }
     }
-    if (cell) {
-      const corners = cell.corners();
-      for (let d = 0; d < this.run.dimension; ++d) {
-        const middle = corners[0].map((x, n) => (x + corners[1 << d][n]) / 2),
-          centre = cell.centre();
-        const axes = AXES[this.run.values.drive] ?? AXES.none;
-        names.push({
-          text: axes[d],
-          at: middle.map((x, n) => x + (x - centre[n]) * 0.06),
-          kind: "axis",
-          beside: 0,
-        });
-      }
-    }
-    this.stage.setNames(names);
+    const axes = AXES[this.run.values.drive] ?? AXES.none;
+    const edges = cell ? cell.edgesByAxis() : [];
+    this.stage.setNames(
+      names,
+      edges.map((parallel, d) => ({ text: axes[d], edges: parallel, centre: cell.centre() })),
+    );
   }
 
   /** The colour of each sphere in a frame; the legend tells it. */

@@ -11,26 +11,28 @@ const VERTEX = `
     gl_Position = projectionMatrix * seen;
   }`;
 
-// With parallel rays the front of the sphere is sqrt(1 - r^2) radii before its centre.
+// With parallel rays the front of the sphere is sqrt(1 - r^2) radii before its centre. Coverage
+// smooths the edge, which multisampling alone does not: it is inside a triangle.
 const FRAGMENT = `
-  uniform float depthPerLength;
+  uniform float depthPerLength, roundness;
   varying vec2 place; varying vec3 colour; varying float size; varying float mark;
   void main() {
-    float r2 = dot(place, place);
-    if (r2 > 1.0 || size <= 0.0) discard;
-    float front = sqrt(1.0 - r2);
-    vec3 normal = vec3(place, front);
-    float light = 0.55 + 0.45 * max(0.0, dot(normal, normalize(vec3(-0.4, 0.6, 0.8))));
-    vec3 shaded = colour * light;
-    float edge = mark > 0.5 ? 0.62 : 0.90;
+    float r = length(place), pixel = fwidth(r);
+    float cover = clamp((1.0 - r) / pixel, 0.0, 1.0);
+    if (cover == 0.0 || size <= 0.0) discard;
+    float front = sqrt(max(0.0, 1.0 - r * r));
+    float slope = max(0.0, dot(vec3(place, front), normalize(vec3(-0.4, 0.6, 0.8))));
+    vec3 shaded = colour * mix(1.0, 0.55 + 0.45 * slope, roundness);
+    float edge = mark > 0.5 ? 0.79 : 0.95;
     vec3 rim = mark > 0.5 ? vec3(0.0) : shaded * 0.45;
-    gl_FragColor = vec4(r2 > edge ? rim : shaded, 1.0);
+    gl_FragColor = vec4(mix(shaded, rim, clamp((r - edge) / pixel + 0.5, 0.0, 1.0)), cover);
     gl_FragDepth = gl_FragCoord.z - front * size * depthPerLength;
   }`;
 
 /** A cloud of spheres whose places, colours, radii and rings change with `set`. */
 export class Spheres {
-  constructor(most) {
+  /** isFlat: disks of one colour instead of shaded balls */
+  constructor(most, isFlat) {
     this.geometry = new THREE.InstancedBufferGeometry();
     const square = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0];
     this.geometry.setAttribute("position", new THREE.Float32BufferAttribute(square, 3));
@@ -45,7 +47,8 @@ export class Spheres {
     const material = new THREE.ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
-      uniforms: { depthPerLength: this.depthPerLength },
+      uniforms: { depthPerLength: this.depthPerLength, roundness: { value: isFlat ? 0 : 1 } },
+      alphaToCoverage: true,
     });
     this.mesh = new THREE.Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;

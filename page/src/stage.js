@@ -2,10 +2,13 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { element } from "./dom.js";
+import { besideOutline, paintName } from "./names.js";
 import { Spheres } from "./spheres.js";
 
 const LEAST_NAMED = 12; // pixels a diameter: numbers of smaller spheres would hide them
 const TURN = Math.PI / 24; // of one arrow key
+const NAME_ROOM = 30; // pixels around what is shown, for the names of the axes
+const BESIDE = 0.6; // diameters from the centre of a sphere to its number
 
 export class Stage {
   /** most: spheres at once;  isFlat: seen from above, not turned */
@@ -28,7 +31,7 @@ export class Stage {
     this.renderer.setClearColor(0xffffff);
     this.scene = new THREE.Scene();
     this.camera = new THREE.OrthographicCamera();
-    this.spheres = new Spheres(most);
+    this.spheres = new Spheres(most, isFlat);
     this.lines = lineSet(0x5b6773, {});
     this.bonds = tubeSet();
     this.scene.add(this.spheres.mesh, this.lines, this.bonds.mesh);
@@ -37,6 +40,7 @@ export class Stage {
     if (isFlat) this.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
     this.controls.addEventListener("change", () => this.draw());
     this.labels = [];
+    this.axes = [];
     new ResizeObserver(() => this.resize()).observe(this.box);
   }
 
@@ -76,14 +80,18 @@ export class Stage {
 
   frame() {
     if (!this.home) return;
-    const aspect = this.box.clientWidth / Math.max(this.box.clientHeight, 1) || 1;
+    const [width, height] = [this.box.clientWidth, this.box.clientHeight].map((side) =>
+      Math.max(side, 4 * NAME_ROOM),
+    );
+    const aspect = width / height;
     this.camera.updateMatrixWorld();
     const seen = this.home.places.map((at) =>
       new THREE.Vector3(...at).applyMatrix4(this.camera.matrixWorldInverse),
     );
     const reach = (axis) =>
       this.home.margin + seen.reduce((most, at) => Math.max(most, Math.abs(at[axis])), 0);
-    const size = Math.max(reach("y"), reach("x") / aspect) * 1.04,
+    const part = (side) => 1 - (2 * NAME_ROOM) / side;
+    const size = Math.max(reach("y") / part(height), reach("x") / aspect / part(width)),
       wide = size * aspect;
     Object.assign(this.camera, {
       left: -wide,
@@ -110,25 +118,67 @@ export class Stage {
     });
   }
 
-  /** names: [{text, at, kind, beside}], from now on that many diameters to the right of their places */
-  setNames(names) {
-    this.labels = names.map(({ text, at, kind, beside }) => ({
-      at: new THREE.Vector3(...at),
-      beside,
-      made: element("span", { class: kind }, text),
-    }));
-    this.names.replaceChildren(...this.labels.map(({ made }) => made));
+  /**
+   * names: [{text, at, kind}] of spheres
+   * axes: [{text, edges: [[from, to], ...], centre}], one of the edges gets the name
+   */
+  setNames(names, axes) {
+    const made = (text, kind) => element("span", { class: kind }, text);
+    this.labels = names.map(({ text, at, kind }) => ({ at, made: made(text, kind) }));
+    this.axes = axes.map((axis) => ({ ...axis, made: made(axis.text, "axis") }));
+    this.names.replaceChildren(...[...this.labels, ...this.axes].map(({ made: name }) => name));
+  }
+
+  get pixelsPerLength() {
+    return (this.box.clientHeight / 2 / this.camera.top) * this.camera.zoom;
+  }
+
+  /** Where a place is seen, pixels from the upper left corner. */
+  seen(at) {
+    const { x, y } = new THREE.Vector3(...at).project(this.camera);
+    return [((x + 1) / 2) * this.box.clientWidth, ((1 - y) / 2) * this.box.clientHeight];
   }
 
   placeNames() {
-    const { clientWidth: width, clientHeight: height } = this.box;
-    const pixelsPerLength = (height / 2 / this.camera.top) * this.camera.zoom;
-    for (const { at, beside, made } of this.labels) {
-      const seen = at.clone().project(this.camera);
+    const { pixelsPerLength } = this;
+    for (const { at, made } of this.labels) {
+      const [x, y] = this.seen(at);
       made.hidden = made.className === "sphere" && pixelsPerLength < LEAST_NAMED;
-      made.style.left = `${((seen.x + 1) / 2) * width + beside * pixelsPerLength}px`;
-      made.style.top = `${((1 - seen.y) / 2) * height}px`;
+      made.style.left = `${x + BESIDE * pixelsPerLength}px`;
+      made.style.top = `${y}px`;
     }
+    for (const axis of this.axes) {
+      const place = besideOutline(
+        axis.edges.map((edge) => edge.map((end) => this.seen(end))),
+        this.seen(axis.centre),
+        pixelsPerLength / 2 + axis.made.offsetHeight / 2 + 3,
+      );
+      axis.made.hidden = place === null;
+      if (!place) continue;
+      axis.made.style.left = `${place.x}px`;
+      axis.made.style.top = `${place.y}px`;
+      axis.made.style.rotate = `${place.angle}rad`;
+    }
+  }
+
+  /** What is seen, with its names, on a canvas of at least two pixels for each of the screen's. */
+  picture() {
+    const { clientWidth: width, clientHeight: height } = this.box;
+    const before = this.renderer.getPixelRatio(),
+      scale = Math.max(2, before);
+    this.renderer.setPixelRatio(scale);
+    this.renderer.setSize(width, height, false);
+    this.renderer.render(this.scene, this.camera);
+    const canvas = element("canvas", { width: width * scale, height: height * scale });
+    const ctx = canvas.getContext("2d");
+    ctx.drawImage(this.canvas, 0, 0);
+    ctx.scale(scale, scale);
+    const shown = [...this.axes, ...this.labels].filter(({ made }) => !made.hidden);
+    for (const { made } of shown) paintName(ctx, made);
+    this.renderer.setPixelRatio(before);
+    this.renderer.setSize(width, height, false);
+    this.draw();
+    return canvas;
   }
 
   key(event) {

@@ -2,18 +2,54 @@
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
-import { assertQuiet, drawn, equipped, opened, pixels } from "./support.mjs";
+import {
+  assertQuiet,
+  drawn,
+  equipped,
+  excess,
+  opened,
+  pixels,
+  saved,
+  sizeOfPng,
+} from "./support.mjs";
 
-const PLOTS = ["gap", "time", "flight", "speed", "temperature", "pairs"];
+const PLOTS = ["gap", "time", "flight", "speed", "temperature", "pairs", "cooling"];
+const WITHOUT_LOG = ["temperature", "cooling"];
 
 const workshop = equipped();
 
 const ranges = (page) =>
   page
-    .locator(".plot")
+    .locator(".plot:not(#plot-cooling)") // whose axis is time
     .evaluateAll((plots) =>
       plots.map(({ dataset }) => [Number(dataset.first), Number(dataset.last)]),
     );
+
+/** Of the name of each axis the part under which the picture is paper. */
+const paperUnderAxes = (page) =>
+  page.evaluate(() => {
+    const canvas = document.querySelector(".stage canvas");
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext("2d");
+    context.drawImage(canvas, 0, 0);
+    const scale = canvas.width / canvas.clientWidth;
+    return [...document.querySelectorAll(".names .axis:not([hidden])")].map((name) => {
+      const angle = parseFloat(name.style.rotate) || 0;
+      const [wide, high] = [name.offsetWidth, name.offsetHeight];
+      let [all, paper] = [0, 0];
+      for (let u = -wide / 2; u <= wide / 2; u += 2) {
+        for (let v = -high / 2; v <= high / 2; v += 2) {
+          const x = parseFloat(name.style.left) + u * Math.cos(angle) - v * Math.sin(angle);
+          const y = parseFloat(name.style.top) + u * Math.sin(angle) + v * Math.cos(angle);
+          const [r, g, b] = context.getImageData(x * scale, y * scale, 1, 1).data;
+          ++all;
+          if (r + g + b > 740) ++paper;
+        }
+      }
+      return { text: name.textContent, paper: paper / all };
+    });
+  });
 
 /** Drags in a plot from one part of its width to another. */
 async function drag(page, plot, from, to) {
@@ -68,7 +104,7 @@ describe("the page of a true collapse", () => {
   test("tells values under the pointer, in every plot at once", async () => {
     await page.locator("#plot-gap .u-over").hover({ position: { x: 300, y: 60 } });
     await drawn(page);
-    for (const plot of PLOTS.filter((name) => name !== "temperature")) {
+    for (const plot of PLOTS.filter((name) => !WITHOUT_LOG.includes(name))) {
       assert.match(
         await page.locator(`#plot-${plot} .readout`).textContent(),
         /collisions? [\d\u202f]+/,
@@ -89,7 +125,115 @@ describe("the page of a true collapse", () => {
       String(Math.round(selected[0][0])),
     );
     await page.click("#reset");
-    assert.deepEqual((await ranges(page))[5], [first, last]);
+    assert.deepEqual((await ranges(page)).at(-1), [first, last]);
+  });
+
+  test("a range that the log does not have is refused with the reason", async () => {
+    const whole = await ranges(page);
+    await page.fill("#first-collision", "999999");
+    await page.press("#first-collision", "Enter");
+    assert.equal(
+      await page.locator(".why").textContent(),
+      "There is no collision 999\u202f999: the log ends at 12\u202f513; the range is as it was.",
+    );
+    assert.deepEqual(await ranges(page), whole);
+    assert.equal(await page.locator("#first-collision").inputValue(), "1");
+    await page.fill("#first-collision", "12000");
+    await page.press("#first-collision", "Enter");
+    assert.equal(await page.locator(".why").textContent(), "");
+    assert.deepEqual((await ranges(page))[0], [11999.5, 12513.5]);
+    await page.click("#reset");
+  });
+
+  test("the temperature against the strain has a zoom of its own", async () => {
+    const others = await ranges(page);
+    await drag(page, "cooling", 0.5, 0.9);
+    const { first, last } = await page.locator("#plot-cooling").evaluate(({ dataset }) => dataset);
+    assert.ok(first > 0.2 && last < 0.65, `${first} ${last}`);
+    assert.deepEqual(await ranges(page), others);
+    await page.locator("#plot-cooling .u-over").dblclick();
+    await page.locator("#plot-cooling .u-over").hover({ position: { x: 300, y: 60 } });
+    await drawn(page);
+    assert.match(
+      await page.locator("#plot-cooling .readout").textContent(),
+      /snapshot \d, collision [\d\u202f]+, time 0\.\d+: 0\.\d+/,
+    );
+  });
+
+  test("each plot is saved as PNG and SVG with its axis named", async () => {
+    for (const plot of PLOTS) {
+      const svg = await saved(page, `#plot-${plot}`, "svg");
+      assert.equal(svg.name, `collapse-${plot}.svg`);
+      const text = svg.bytes.toString();
+      assert.match(
+        text,
+        new RegExp(`>${plot === "cooling" ? "Strain" : "Collisions"}</text>`),
+        plot,
+      );
+      assert.match(text, /collapse\.h5/);
+      const count = await page.evaluate((source) => {
+        const parsed = new DOMParser().parseFromString(source, "image/svg+xml");
+        return parsed.querySelector("parsererror") ? -1 : parsed.querySelectorAll("text").length;
+      }, text);
+      assert.ok(count >= 6, `${plot}: ${count} texts`);
+    }
+    const { width, height } = await page.locator("#plot-gap canvas").boundingBox();
+    const png = await saved(page, "#plot-gap", "png");
+    assert.deepEqual(sizeOfPng(png.bytes), [2 * width, 2 * (height + 30)]);
+  });
+
+  test("the numbers of a plot are saved in all their digits", async () => {
+    await page.fill("#first-collision", "1550");
+    await page.press("#first-collision", "Enter");
+    await page.fill("#last-collision", "1570");
+    await page.press("#last-collision", "Enter");
+    const { bytes } = await saved(page, "#plot-gap", "csv");
+    const [head, ...rows] = bytes.toString().trim().split("\n");
+    assert.equal(head, "collision,gap,hits");
+    const words = ["--format", "csv-collisions", "-o", "c.csv", "--quiet"];
+    workshop.zenosphere("export", "collapse.h5", ...words);
+    const all = readFileSync(`${workshop.folder}/c.csv`, "utf8").trim().split("\n");
+    const gap = all[0].split(",").findIndex((name) => name.startsWith("gap"));
+    const wanted = all.filter((line) => Number(line.split(",")[0]) >= 1550).slice(0, 21);
+    assert.deepEqual(
+      rows.map((row) => row.split(",").slice(0, 2).map(Number)),
+      wanted.map((line) => [line.split(",")[0], line.split(",")[gap]].map(Number)),
+    );
+    await page.click("#reset");
+  });
+
+  test("the spheres are saved with their names, twice as fine as on the screen", async () => {
+    const { width, height } = await page.locator(".stage canvas").boundingBox();
+    const { name, bytes } = await saved(page, ".sphere-view", "png");
+    assert.equal(name, "collapse-snapshot-8.png");
+    const size = sizeOfPng(bytes);
+    assert.deepEqual(size, [2 * width, 2 * height].map(Math.round));
+  });
+
+  test("no sphere hides the name of an axis, wherever it is looked at from", async () => {
+    await page.check("input[value=all]");
+    await page.focus(".stage canvas");
+    for (const keys of [[], ["ArrowLeft", "ArrowLeft", "ArrowUp"], Array(9).fill("ArrowRight")]) {
+      for (const key of keys) await page.keyboard.press(key);
+      await drawn(page);
+      for (const { text, paper } of await paperUnderAxes(page))
+        assert.ok(paper > 0.95, `${text}: ${paper} of it on paper`);
+    }
+    assert.deepEqual(
+      (await paperUnderAxes(page)).map(({ text }) => text),
+      ["x: flow", "y: gradient", "z: vorticity"],
+    );
+    await page.check("input[value=dots]");
+  });
+
+  test("a narrow window is not scrolled sideways", async () => {
+    for (const width of [420, 320]) {
+      await page.setViewportSize({ width, height: 900 });
+      await drawn(page);
+      assert.ok((await excess(page)) <= 0, `${await excess(page)} at ${width}`);
+    }
+    await page.setViewportSize({ width: 1500, height: 1000 });
+    await drawn(page);
   });
 
   test("near the arrest one pair is left, and the clock does not move", async () => {
@@ -174,7 +318,7 @@ describe("the page of a true collapse", () => {
     await page.evaluate(() => scrollTo(0, 0));
     await page.mouse.click(3, 3); // the tab key goes on from here
     const reached = [];
-    for (let n = 0; n < 24; ++n) {
+    for (let n = 0; n < 32; ++n) {
       await page.keyboard.press("Tab");
       reached.push(
         await page.evaluate(() => {
@@ -247,9 +391,18 @@ describe("the page of a run that left the hits behind", () => {
     );
   });
 
-  test("keeps every collision near the first hit, though the log is too long to be kept", async () => {
+  test("shows which pairs collide before anybody zooms, though the log is too long to be kept", async () => {
+    const { other, red } = await pixels(page, "#plot-pairs canvas");
+    assert.ok(other > 3000 && red > 1000, `${other} ${red}`);
     await page.locator("#plot-pairs .u-over").hover({ position: { x: 300, y: 60 } });
-    assert.equal(await page.locator("#plot-pairs .readout").textContent(), "");
+    await drawn(page);
+    assert.match(
+      await page.locator("#plot-pairs .readout").textContent(),
+      /collisions [\d\u202f]+\u2013[\d\u202f]+: /,
+    );
+  });
+
+  test("keeps every collision near the first hit, though the log is too long to be kept", async () => {
     await page.click("#plots button:text('first hit')");
     await page.locator("#plot-pairs .u-over").hover({ position: { x: 300, y: 60 } });
     await drawn(page);

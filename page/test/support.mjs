@@ -1,7 +1,7 @@
 // What the tests share: runs, their pages, and a browser to open them with.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
@@ -116,6 +116,27 @@ export const pixels = (page, selector) =>
     found.text = String(sum);
     return found;
   });
+
+/** Pixels by which a page is wider than its window. */
+export const excess = (page) =>
+  page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+
+/** The bytes that a way ("png", "svg", "csv") to save a part of a page gives, and their name. */
+export async function saved(page, part, way) {
+  await page.locator(`${part} .save summary`).click();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator(`${part} .save .${way}`).click(),
+  ]);
+  await page.keyboard.press("Escape");
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+/** Width and height of a PNG. */
+export function sizeOfPng(bytes) {
+  assert.equal(bytes.toString("latin1", 1, 4), "PNG");
+  return [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
+}
 
 /** Nothing was complained of, and nothing asked of a network. */
 export const assertQuiet = (problems) => assert.deepEqual(problems, []);

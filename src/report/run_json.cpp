@@ -97,10 +97,17 @@ Json json_of(const std::vector<StretchName>& stretches) {
   return json;
 }
 
+Json json_of(const std::vector<PairCount>& pairs) {
+  Json json = Json::array();
+  for (const auto& pair : pairs) json.push_back({pair.i, pair.j, pair.collisions});
+  return json;
+}
+
 }  // namespace
 
 std::string run_json(const std::string& name, const RunFile& file, const Case& values,
-                     const Frames& frames, const std::vector<StretchName>& stretches) {
+                     const Frames& frames, const std::vector<StretchName>& stretches,
+                     const std::vector<PairCount>& pairs) {
   const OutputInfo& info = file.info();
   const Anatomy anatomy = file.anatomy();
   const Json json{{"kind", "run"},
@@ -117,7 +124,8 @@ std::string run_json(const std::string& name, const RunFile& file, const Case& v
                   {"anatomy", {{"hit", json_of(anatomy.hit)}, {"arrest", json_of(anatomy.arrest)}}},
                   {"adjudication", parsed(file.adjudication())},
                   {"snapshots", json_of(frames)},
-                  {"log", json_of(stretches)}};
+                  {"log", json_of(stretches)},
+                  {"pairs", json_of(pairs)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -6,6 +6,7 @@
 #include "io/case.hpp"
 #include "io/run_file.hpp"
 #include "report/frames.hpp"
+#include "report/frequent_pairs.hpp"
 
 namespace zenosphere {
 
@@ -20,8 +21,10 @@ struct StretchName {
 /// Everything on the page of a run that is not a column of numbers, as one JSON object: page/README
 /// names its members. Text that is not UTF-8 is replaced by U+FFFD.
 ///
-/// \param name  of the output file
+/// \param name   of the output file
+/// \param pairs  of the raster of a log that is too long to be kept
 std::string run_json(const std::string& name, const RunFile& file, const Case& values,
-                     const Frames& frames, const std::vector<StretchName>& stretches);
+                     const Frames& frames, const std::vector<StretchName>& stretches,
+                     const std::vector<PairCount>& pairs);
 
 }  // namespace zenosphere

@@ -10,6 +10,7 @@
 #include "io/run_file.hpp"
 #include "io/summary.hpp"
 #include "report/frames.hpp"
+#include "report/frequent_pairs.hpp"
 #include "report/log_digest.hpp"
 #include "report/run_json.hpp"
 
@@ -35,30 +36,48 @@ std::vector<std::int64_t> remarkable_collisions(const OutputInfo& info) {
   return collisions;
 }
 
-/// What a page shows of one file, read in one pass.
+/// Calls `observe` with every row of the log, a piece of it in memory at a time.
+template <class Observe>
+void for_each_row(const RunFile& file, const Observe& observe) {
+  const std::int64_t all = file.info().logged_collisions;
+  for (std::int64_t first = 0; first < all; first += rows_at_once) {
+    for (const auto& row : file.rows(first, std::min(rows_at_once, all - first))) observe(row);
+  }
+}
+
+/// The pairs that get a row of their own where the log is too long to be kept.
+std::vector<PairCount> pairs_of_raster(const RunFile& file) {
+  if (file.info().logged_collisions <= LogDigest::most_rows) return {};
+  FrequentPairs pairs;
+  for_each_row(file, [&](const CollisionRow& row) { pairs.observe(row); });
+  return pairs.most_frequent(PairRaster::most_pairs);
+}
+
+/// What a page shows of one file; a log that is too long to be kept is read twice.
 class RunDigest {
  public:
-  explicit RunDigest(const RunFile& file, const Case& values)
+  /// \param pairs  that get a row of the raster
+  RunDigest(const RunFile& file, const Case& values, std::vector<PairCount> pairs)
       : file_(file),
         log_(file.info().logged_collisions),
         frames_(file.info().spheres, file.info().dimension,
                 values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0.0,
-                shown_snapshots(file.info())) {
+                shown_snapshots(file.info())),
+        raster_(std::move(pairs), log_.stretch().width) {
     for (const auto k : remarkable_collisions(file.info())) close_ups_.emplace_back(k);
   }
 
   void read() {
-    const std::int64_t all = file_.info().logged_collisions;
-    for (std::int64_t first = 0; first < all; first += rows_at_once) {
-      for (const auto& row : file_.rows(first, std::min(rows_at_once, all - first))) {
-        while (!are_all_read() && next_step() < row.k) read_snapshot();
-        observe(row);
-      }
-    }
+    for_each_row(file_, [this](const CollisionRow& row) {
+      while (!are_all_read() && next_step() < row.k) read_snapshot();
+      observe(row);
+    });
     while (!are_all_read()) read_snapshot();
   }
 
   Frames frames() && { return std::move(frames_).result(file_.info().log_complete); }
+
+  const PairRaster& raster() const { return raster_; }
 
   std::vector<const LogStretch*> stretches() const {
     std::vector<const LogStretch*> found{&log_.stretch()};
@@ -91,12 +110,14 @@ class RunDigest {
     log_.observe(row);
     for (auto& close_up : close_ups_) close_up.observe(row);
     frames_.observe(row);
+    if (log_.stretch().width > 1) raster_.observe(row);
   }
 
   const RunFile& file_;
   LogDigest log_;
   std::vector<CloseUp> close_ups_;
   FrameCollector frames_;
+  PairRaster raster_;
   std::optional<Snapshot> next_;
   std::int64_t read_ = 0;
 };
@@ -110,7 +131,7 @@ void read_everything(const std::filesystem::path& path) {
   const RunFile file(path);
   file.anatomy();
   file.adjudication();
-  RunDigest(file, case_of(path, file.info())).read();
+  RunDigest(file, case_of(path, file.info()), {}).read();
 }
 
 void add_stretch(PageWriter& page, const std::string& name, const LogStretch& stretch) {
@@ -141,7 +162,7 @@ void write_run_page(const std::filesystem::path& output, const std::filesystem::
   const RunFile file(output);
   const Case values = case_of(output, file.info());
   PageWriter writer(page, existing);
-  RunDigest digest(file, values);
+  RunDigest digest(file, values, pairs_of_raster(file));
   digest.read();
   std::vector<StretchName> names;
   for (const auto* stretch : digest.stretches()) {
@@ -150,11 +171,13 @@ void write_run_page(const std::filesystem::path& output, const std::filesystem::
         {"log" + std::to_string(names.size()), stretch->width, stretch->bins(), stretch->last});
     add_stretch(writer, names.back().name, *stretch);
   }
+  if (!digest.raster().bins().empty()) writer.add_column("log0.pairs", digest.raster().bins());
+  const std::vector<PairCount> pairs = digest.raster().pairs();
   const Frames frames = std::move(digest).frames();
   writer.add_column("frames.positions", frames.positions);
   writer.add_column("frames.speeds", frames.speeds);
   writer.add_column("frames.collisions", frames.collisions);
-  writer.add_json("run", run_json(output.filename().string(), file, values, frames, names));
+  writer.add_json("run", run_json(output.filename().string(), file, values, frames, names, pairs));
   writer.finish();
 }
 

@@ -7,6 +7,7 @@ import re
 import resource
 import signal
 import sqlite3
+from collections import Counter
 
 import h5py
 import numpy as np
@@ -89,6 +90,28 @@ def test_extremes_of_a_long_log_survive_the_binning(program):
     assert found["log0.hits"].sum() == (log["flags"] & 1).sum()
 
 
+def test_pairs_of_a_long_log_are_in_the_page_with_the_bins_they_collide_in(program):
+    program.keep({"run.collisions": 70000})
+    program("report", "out.h5", "-o", "page.html")
+    found = blocks(program.folder / "page.html")
+    with h5py.File(program.folder / "out.h5") as run:
+        log = {name: values[()] for name, values in run["collisions"].items()}
+    pairs = list(zip(log["i"].tolist(), log["j"].tolist()))
+    # Fewer pairs than counters, so that every count is exact; of equal counts the smaller numbers.
+    counts = sorted(Counter(pairs).items(), key=lambda entry: (-entry[1], entry[0]))
+    assert len(counts) < 65536
+    assert found["run"]["pairs"] == [[*pair, count] for pair, count in counts[:10]]
+    row = {pair: n for n, (pair, _) in enumerate(counts[:10])}
+    rows = np.array([row.get(pair, 10) for pair in pairs])
+    bits = (1 << rows) | np.where(log["flags"] & 1, 1 << (rows + 11), 0)
+    assert list(found["log0.pairs"]) == list(np.bitwise_or.reduceat(bits, range(0, 70000, 3)))
+
+
+def test_short_log_has_no_list_of_pairs(page):
+    _, found = page
+    assert found["run"]["pairs"] == [] and "log0.pairs" not in found
+
+
 def test_page_of_an_unfinished_run_shows_its_last_checkpoint(program):
     process = program.start({"output.checkpoint_collisions": 20000, "output.collision_log": '"all"'})
     process.kill()
@@ -127,6 +150,27 @@ def test_page_of_a_sweep_holds_its_rows_and_the_case_of_every_point(program):
     changed = sweep["cases"]["points"]["3"]
     lines = [changed.get(str(n), line) for n, line in enumerate(sweep["cases"]["first"])]
     assert program("sweep", "show", "s.sqlite", "--run", "3").stdout.endswith("\n".join(lines))
+
+
+FINDINGS = ("adjudication_first_finding", "adjudication_finding", "adjudication_sentence")
+
+
+def test_page_of_a_sweep_has_the_findings_of_a_store_that_has_them(program):
+    (program.folder / "s.toml").write_text(SWEEP)
+    program("sweep", "s.toml", "--quiet")
+    with sqlite3.connect(program.folder / "s.sqlite") as store:
+        there = {name for _, name, *_ in store.execute("PRAGMA table_info(run)")}
+        for name in FINDINGS:
+            if name not in there:
+                store.execute(f"ALTER TABLE run ADD COLUMN {name} TEXT")
+        store.execute("UPDATE run SET adjudication_first_finding = 'near-collapse',"
+                      " adjudication_finding = 'singular' WHERE run = 1")
+    store.close()
+    program("report", "s.sqlite", "-o", "page.html")
+    runs = blocks(program.folder / "page.html")["sweep"]["runs"]
+    assert runs["adjudication_first_finding"][:2] == [None, "near-collapse"]
+    assert runs["adjudication_finding"][1] == "singular"
+    assert len(runs["adjudication_sentence"]) == len(runs["run"])
 
 
 def test_point_of_a_search_has_the_runs_of_one_value_and_their_case(program):
