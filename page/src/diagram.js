@@ -32,7 +32,7 @@ export const told = ({ hits, runs, share, low, high }) =>
 /**
  * A diagram.
  *
- * x, y: {key, values}, y null for one axis
+ * x, y: {key, name, symbol, values}, y null for one axis
  * cells: [{column, row, point, share: {share, low, high, hits, runs}}]
  * choose(point): what a click, Enter or Space does
  */
@@ -55,7 +55,8 @@ export function diagram(title, x, y, cells, choose) {
     svg(
       "text",
       { x: LEFT + wide / 2, y: HEIGHT - 6, "text-anchor": "middle", class: "axis-name" },
-      x.key,
+      svg("title", {}, x.key),
+      x.name,
     ),
   );
   if (y) {
@@ -66,7 +67,12 @@ export function diagram(title, x, y, cells, choose) {
     }));
     const turned = `translate(12 ${TOP + high / 2}) rotate(-90)`;
     box.append(
-      svg("text", { transform: turned, "text-anchor": "middle", class: "axis-name" }, y.key),
+      svg(
+        "text",
+        { transform: turned, "text-anchor": "middle", class: "axis-name" },
+        svg("title", {}, y.key),
+        y.name,
+      ),
     );
   } else {
     shareGrid(box, high, wide);
@@ -78,7 +84,7 @@ export function diagram(title, x, y, cells, choose) {
       [y, cell.row],
     ]
       .filter(([axis]) => axis)
-      .map(([axis, index]) => `${axis.key} = ${label(axis.values[index])}`)
+      .map(([axis, index]) => `${axis.symbol} = ${label(axis.values[index])}`)
       .join(", ");
     const name = `${where}: ${told(cell.share)}`;
     return svg(
@@ -173,4 +179,43 @@ function walk(event, cells, buttons, n, choose) {
   buttons[n].setAttribute("tabindex", -1);
   buttons[next].setAttribute("tabindex", 0);
   return buttons[next].focus();
+}
+
+const LOOK = ["fill", "stroke", "stroke-width", "font-size", "font-family", "font-weight"];
+const TITLE = 24; // above a diagram that is saved
+const SCALE = 3; // pixels of a PNG
+
+/** The diagram as a file of its own, with its title and what the style sheet says of its parts. */
+export function diagramAsSvg(box, title) {
+  const copy = box.cloneNode(true);
+  const parts = [...box.querySelectorAll("*")];
+  [...copy.querySelectorAll("*")].forEach((part, n) => {
+    const style = getComputedStyle(parts[n]);
+    for (const name of LOOK) part.setAttribute(name, style.getPropertyValue(name));
+    part.removeAttribute("tabindex");
+  });
+  const heading = { x: 8, y: 8 - TITLE / 2, "font-weight": 600, "font-size": 14 };
+  const family = getComputedStyle(box).fontFamily;
+  copy.prepend(
+    svg("rect", { y: -TITLE, width: WIDTH, height: HEIGHT + TITLE, fill: "#fff" }),
+    svg("text", { ...heading, "font-family": family }, title),
+  );
+  const size = { width: WIDTH, height: HEIGHT + TITLE };
+  for (const [name, value] of Object.entries(size)) copy.setAttribute(name, value);
+  copy.setAttribute("viewBox", `0 ${-TITLE} ${WIDTH} ${HEIGHT + TITLE}`);
+  copy.removeAttribute("class");
+  return new XMLSerializer().serializeToString(copy);
+}
+
+/** The same on a canvas. */
+export async function diagramAsCanvas(box, title) {
+  const picture = new Image();
+  const text = diagramAsSvg(box, title);
+  picture.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
+  await picture.decode();
+  URL.revokeObjectURL(picture.src);
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [WIDTH * SCALE, (HEIGHT + TITLE) * SCALE];
+  canvas.getContext("2d").drawImage(picture, 0, 0, canvas.width, canvas.height);
+  return canvas;
 }

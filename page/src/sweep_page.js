@@ -1,27 +1,25 @@
 // The page of a sweep: phase diagrams, and the runs and the case file of a point.
-import { diagram, told } from "./diagram.js";
-import { download, element, section, table } from "./dom.js";
-import { DASH, grouped, short } from "./format.js";
+import { diagram, diagramAsCanvas, diagramAsSvg, told } from "./diagram.js";
+import { element, section } from "./dom.js";
+import { DASH, grouped } from "./format.js";
 import { licencesSection } from "./provenance.js";
-import { hasResult, QUESTIONS, runsByPoint, share } from "./statistics.js";
+import { csv, fileStem, saveMenu } from "./save.js";
+import { findingQuestions, hasResult, QUESTIONS, runsByPoint, share } from "./statistics.js";
+import { runsOfPoint } from "./sweep_runs.js";
+import { axisName, symbol } from "./symbols.js";
 
 /** Whether a value of an axis is the one of a column, where lists and true or false are text. */
 const isSame = (value, stored) =>
   value === stored || JSON.stringify(value) === String(stored).replace(/\s/g, "");
 
-/** Pairs in a JSON text, a few of them. */
-function pairsIn(text, most = 3) {
-  const pairs = JSON.parse(text ?? "[]");
-  const rest = pairs.length > most ? ` and ${pairs.length - most} more` : "";
-  return (
-    pairs
-      .slice(0, most)
-      .map(([i, j]) => `${i}${DASH}${j}`)
-      .join(", ") + rest
-  );
-}
+const NO_AXIS = { key: "", name: "all runs", symbol: "all runs", values: [""] };
 
-const NO_AXIS = { key: "all runs", values: [""] };
+/** "e = 0.2", with the key for those who want to know. */
+const placeOn = (axis, value) =>
+  element("span", { title: axis.key }, `${symbol(axis.key)} = ${value}`);
+
+/** Parts with commas in between. */
+const listed = (parts) => parts.flatMap((part, n) => (n ? [", ", part] : [part]));
 
 export function sweepPage(root, sweep) {
   document.title = `${sweep.name} ${DASH} Zenosphere report`;
@@ -31,7 +29,10 @@ export function sweepPage(root, sweep) {
 function header(sweep) {
   const { status } = sweep.runs,
     of = (word) => status.filter((one) => one === word).length;
-  const axes = sweep.axes.map(({ key, values }) => `${key} (${values.length})`).join(" \u00d7 ");
+  const axes = sweep.axes.flatMap(({ key, values }, n) => [
+    n ? " \u00d7 " : "",
+    element("span", { title: key }, `${symbol(key)} (${values.length})`),
+  ]);
   const cut = status.filter((one, n) => one === "done" && !hasResult(sweep.runs, n)).length;
   const open = of("pending") + of("failed") + cut;
   const rest = open
@@ -45,10 +46,11 @@ function header(sweep) {
     element(
       "p",
       {},
-      `${grouped(status.length)} runs${rest}; ${axes || "no axes"}, ` +
-        (sweep.seeds
-          ? `${grouped(sweep.seeds)} seeds`
-          : `a search along ${sweep.axes.at(-1).key}: the shares are those of the runs it made there`),
+      `${grouped(status.length)} runs${rest}; `,
+      ...(axes.length ? axes : ["no axes"]),
+      sweep.seeds
+        ? `, ${grouped(sweep.seeds)} seeds`
+        : `, a search along ${symbol(sweep.axes.at(-1).key)}: the shares are those of the runs it made there`,
     ),
   );
 }
@@ -57,6 +59,8 @@ function header(sweep) {
 class SweepView {
   constructor(sweep) {
     this.sweep = sweep;
+    this.findings = findingQuestions(sweep.runs);
+    this.questions = { ...QUESTIONS, ...this.findings };
     this.byPoint = runsByPoint(sweep.runs);
     this.plane = [sweep.axes.length ? 0 : -1, sweep.axes.length > 1 ? 1 : -1];
     this.held = sweep.axes.map(() => 0);
@@ -80,7 +84,11 @@ class SweepView {
         element(
           "p",
           { class: "hint" },
-          "Share of the runs that are done, with its 95 % interval (Wilson). " +
+          "Share of the runs that are done, with its 95 % interval (Wilson). Met, left and open " +
+            "are said of the computation; what hits were is for zenosphere adjudicate to tell" +
+            (Object.keys(this.findings).length
+              ? ": its findings are shares of the runs that have been adjudicated. "
+              : ". ") +
             "Click a point, or go there with the arrow keys and press Enter.",
         ),
       ),
@@ -90,7 +98,9 @@ class SweepView {
   }
 
   axis(n) {
-    return n < 0 ? null : this.sweep.axes[n];
+    if (n < 0) return null;
+    const { key, values } = this.sweep.axes[n];
+    return { key, values, name: axisName(key), symbol: symbol(key) };
   }
 
   update() {
@@ -98,18 +108,41 @@ class SweepView {
     const [x, y] = this.plane.map((n) => this.axis(n));
     const cells = this.cells();
     this.diagrams.replaceChildren(
-      ...Object.entries(QUESTIONS).map(([question, { name }]) => {
+      ...Object.entries(this.questions).map(([id, question]) => {
         const shares = cells.map((cell) => ({
           ...cell,
           share: share(this.sweep.runs, cell.runs, question),
         }));
+        const { name } = question;
+        const drawn = diagram(name, x ?? NO_AXIS, y, shares, (point) => this.choose(point));
+        const menu = saveMenu(name, () => fileStem(this.sweep.name, id), {
+          png: () => diagramAsCanvas(drawn, name),
+          svg: () => diagramAsSvg(drawn, name),
+          csv: () => this.table(shares),
+        });
         return element(
           "figure",
-          { id: `diagram-${question}` },
-          element("figcaption", {}, name),
-          diagram(name, x ?? NO_AXIS, y, shares, (point) => this.choose(point)),
+          { id: `diagram-${id}` },
+          element("div", { class: "plot-head" }, element("figcaption", {}, name), menu),
+          drawn,
         );
       }),
+    );
+  }
+
+  /** Shares as CSV, with the point on all axes. */
+  table(shares) {
+    const { axes, places } = this.sweep;
+    return csv(
+      [...axes.map(({ key }) => key), "runs_with", "runs", "share", "low", "high"],
+      shares.map(({ point, share: { hits, runs, share: part, low, high } }) => [
+        ...places[point],
+        hits,
+        runs,
+        part,
+        low,
+        high,
+      ]),
     );
   }
 
@@ -138,8 +171,8 @@ class SweepView {
       .filter((_, n) => axes.length > n)
       .map((name, n) =>
         this.select(
-          name,
-          axes.map(({ key }) => key),
+          { id: name, name },
+          axes.map(({ key }) => ({ value: key, text: symbol(key) })),
           this.plane[n],
           (value) => this.setPlane(n, value),
         ),
@@ -147,9 +180,14 @@ class SweepView {
     axes.forEach((axis, n) => {
       if (this.plane.includes(n)) return;
       parts.push(
-        this.select(axis.key, axis.values.map(String), this.held[n], (value) => {
-          this.held[n] = value;
-        }),
+        this.select(
+          { id: axis.key, name: symbol(axis.key), title: axis.key },
+          axis.values.map((value) => ({ value: String(value), text: String(value) })),
+          this.held[n],
+          (value) => {
+            this.held[n] = value;
+          },
+        ),
       );
     });
     this.choices.replaceChildren(...parts);
@@ -162,8 +200,9 @@ class SweepView {
     this.plane[n] = axis;
   }
 
-  select(name, options, chosen, change) {
-    const id = `axis-${name.replace(/\W/g, "-")}`;
+  /** about: {id, name, title};  options: [{value, text}] */
+  select(about, options, chosen, change) {
+    const id = `axis-${about.id.replace(/\W/g, "-")}`;
     const made = element(
       "select",
       {
@@ -174,108 +213,34 @@ class SweepView {
           document.getElementById(id)?.focus();
         },
       },
-      ...options.map((text, n) => element("option", { selected: n === chosen }, text)),
+      ...options.map(({ value, text }, n) =>
+        element("option", { value, title: value, selected: n === chosen }, text),
+      ),
     );
-    return element("span", {}, element("label", { for: id }, `${name} `), made);
+    return element(
+      "span",
+      { title: about.title },
+      element("label", { for: id }, `${about.name} `),
+      made,
+    );
   }
 
   choose(point) {
     const { sweep } = this,
       numbers = this.byPoint.get(point) ?? [];
-    const where = sweep.axes.map(({ key }, n) => `${key} = ${sweep.places[point][n]}`).join(", ");
-    const shares = Object.entries(QUESTIONS).map(([question, { name }]) =>
-      element("li", {}, `${name}: ${told(share(sweep.runs, numbers, question))}`),
+    const where = sweep.axes.map((axis, n) => placeOn(axis, sweep.places[point][n]));
+    const shares = Object.values(this.questions).map((question) =>
+      element("li", {}, `${question.name}: ${told(share(sweep.runs, numbers, question))}`),
     );
-    this.caseBox = element("div", { id: "run-case" });
     this.detail.replaceChildren(
-      element("h3", {}, where || "all runs"),
+      element("h3", {}, ...(where.length ? listed(where) : ["all runs"])),
       element("ul", {}, ...shares),
-      this.runTable(point, numbers),
-      this.caseBox,
+      ...runsOfPoint(sweep, point, numbers),
     );
     for (const cell of this.diagrams.querySelectorAll("[data-point]")) {
       cell.classList.toggle("chosen", cell.dataset.point === String(point));
     }
-    this.showCase(point, numbers[0]);
   }
-
-  runTable(point, numbers) {
-    const { runs } = this.sweep;
-    const cell = (value, digits) =>
-      typeof value === "number" ? short(value, digits) : (value ?? DASH);
-    const whole = (value) => (typeof value === "number" ? grouped(value) : DASH);
-    const rows = numbers.map((n) => [
-      element(
-        "button",
-        { type: "button", onclick: () => this.showCase(point, n) },
-        `run ${runs.run[n]}`,
-      ),
-      runs.seed[n],
-      runs.status[n] === "failed" ? `failed: ${runs.error[n]}` : runs.status[n],
-      runs.verdict[n] ?? DASH,
-      whole(runs.separation_hits[n]),
-      whole(runs.separation_first_collision[n]),
-      runs.arrest_met[n] === 1
-        ? `${whole(runs.arrest_collision[n])}, ${pairsIn(runs.arrest_pairs[n])}`
-        : DASH,
-      whole(runs.collisions[n]),
-      cell(runs.time[n], 6),
-      cell(runs.granular_temperature[n], 5),
-      cell(runs.collision_rate[n], 5),
-    ]);
-    return table(
-      [
-        [
-          "",
-          "seed",
-          "status",
-          "verdict",
-          "hits",
-          "first hit",
-          "arrest",
-          "collisions",
-          "time",
-          "granular temperature",
-          "collision rate",
-        ],
-        ...rows,
-      ],
-      "Runs of this point; a button shows the case file of its run",
-    );
-  }
-
-  showCase(point, n) {
-    if (n === undefined) return;
-    const { sweep } = this,
-      run = sweep.runs.run[n];
-    const text = caseText(sweep, point, sweep.runs.seed[n]);
-    const file = `${sweep.name.replace(/\.\w+$/, "").replace(/[^\w.-]/g, "_")}-run-${run}.toml`;
-    this.caseBox.replaceChildren(
-      element("h3", {}, `Case file of run ${run} `),
-      element(
-        "p",
-        {},
-        download(text, file, file),
-        ", the same that ",
-        element("code", {}, `zenosphere sweep show ${sweep.name} --run ${run}`),
-        " prints.",
-      ),
-      element(
-        "pre",
-        { class: "commands", tabindex: "0" },
-        `build/zenosphere run ${file} -o run-${run}.h5\n` +
-          `build/zenosphere report run-${run}.h5 -o run-${run}.html`,
-      ),
-      element("pre", { tabindex: "0", class: "case" }, text),
-    );
-  }
-}
-
-/** The resolved case of a run: that of its point with its own seed. */
-export function caseText({ cases }, point, seed) {
-  const changed = cases.points[point] ?? {};
-  const lines = Array.isArray(changed) ? changed : cases.first.map((line, n) => changed[n] ?? line);
-  return lines.map((line) => line.replace(/^seed = \d+/, `seed = ${seed}`)).join("\n");
 }
 
 function provenance(sweep) {

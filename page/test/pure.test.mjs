@@ -1,13 +1,19 @@
 // The parts of the page that draw nothing.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
+import { linearNames, logNames, logTicks } from "../src/axes.js";
 import { bonds, Cell } from "../src/cell.js";
 import { grouped, pairName, power, short } from "../src/format.js";
 import { groupsOf, unwrapped } from "../src/groups.js";
 import { Log, Stretch } from "../src/log.js";
-import { Selection } from "../src/selection.js";
-import { share, wilson } from "../src/statistics.js";
-import { caseText } from "../src/sweep_page.js";
+import { besideOutline } from "../src/names.js";
+import { pairsPlot } from "../src/pairs_plot.js";
+import { csv, fileStem } from "../src/save.js";
+import { Selection, wantedRange } from "../src/selection.js";
+import { findingQuestions, QUESTIONS, share, wilson } from "../src/statistics.js";
+import { SvgContext } from "../src/svg_context.js";
+import { axisName, symbol } from "../src/symbols.js";
+import { caseText } from "../src/sweep_runs.js";
 import { sentence } from "../src/verdict.js";
 
 describe("numbers", () => {
@@ -25,6 +31,54 @@ describe("numbers", () => {
     assert.equal(pairName([3, 9], 10), "3\u20139");
     assert.equal(pairName([3, 10], 10), "3\u2013lower wall");
     assert.equal(pairName([3, 11], 10), "3\u2013upper wall");
+  });
+});
+
+describe("axes", () => {
+  test("a logarithmic axis has at least two ticks, however short it is", () => {
+    assert.deepEqual(logTicks(0.5e-3, 2), [1e-3, 1e-2, 1e-1, 1]);
+    assert.deepEqual(logTicks(6e-3, 0.03), [0.01, 0.02]); // one decade alone
+    assert.deepEqual(logTicks(2.1, 5.37), [3, 4, 5]); // none, and one of 1, 2, 5
+    for (let low = 1e-3; low < 1; low *= 1.07) {
+      for (const ratio of [1.02, 1.6, 2.56, 7, 40]) {
+        const ticks = logTicks(low, low * ratio);
+        assert.ok(ticks.length >= 2 && ticks.length <= 12, `${low} ${ratio}: ${ticks}`);
+        assert.ok(ticks.every((y) => y >= low * 0.999999 && y <= low * ratio * 1.000001));
+      }
+    }
+  });
+
+  test("ticks are powers of ten where all of them are, and numbers elsewhere", () => {
+    assert.deepEqual(logNames([1e-3, 1e-2]), ["10\u207b\u00b3", "10\u207b\u00b2"]);
+    assert.deepEqual(logNames([0.01, 0.02]), ["0.01", "0.02"]);
+  });
+
+  test("linear ticks are written with all the decimals of their step", () => {
+    assert.deepEqual(linearNames([0, 0.25, 0.5], 0.25), ["0.00", "0.25", "0.50"]);
+    assert.deepEqual(linearNames([0, 0.2], 0.2), ["0.0", "0.2"]);
+  });
+});
+
+describe("the name of an axis", () => {
+  const square = (x, y) => [
+    [
+      [0, 0],
+      [x, y],
+    ],
+    [
+      [100, 100],
+      [100 + x, 100 + y],
+    ],
+  ];
+
+  test("is beside the outermost edge, outside", () => {
+    assert.deepEqual(besideOutline(square(100, 0), [100, 50], 9), { x: 150, y: 109, angle: 0 });
+    const upright = besideOutline(square(0, 100), [50, 100], 9);
+    assert.deepEqual([upright.x, upright.y, Math.abs(upright.angle)], [-9, 50, Math.PI / 2]);
+  });
+
+  test("is left out where the axis points at the viewer", () => {
+    assert.equal(besideOutline(square(3, 3), [50, 50], 9), null);
   });
 });
 
@@ -141,6 +195,130 @@ describe("a selection", () => {
   });
 });
 
+describe("a range that is typed", () => {
+  const selection = new Selection(1, 12513);
+  const range = (texts, changed) => {
+    const { first, last, why } = wantedRange(selection, texts, changed);
+    return [first, last, why];
+  };
+
+  test("is shown where the log has it", () => {
+    assert.deepEqual(range(["100", "300"], 1), [100, 300, ""]);
+  });
+
+  test("that the log does not have is refused with the reason", () => {
+    assert.deepEqual(range(["999999", "12513"], 0), [
+      1,
+      12513,
+      "There is no collision 999\u202f999: the log ends at 12\u202f513; the range is as it was.",
+    ]);
+    assert.match(range(["1", "0"], 1)[2], /no collision 0: the log begins at 1;/);
+    for (const text of ["", " ", "1e", "2.5"])
+      assert.match(range([text, "9"], 0)[2], /whole number/);
+  });
+
+  test("whose ends have crossed moves its other end and says so", () => {
+    selection.set(100, 200);
+    assert.deepEqual(range(["5000", "200"], 0), [
+      5000,
+      5100,
+      "A range ends after it begins: its other end was moved too.",
+    ]);
+    assert.deepEqual(range(["100", "50"], 1).slice(0, 2), [1, 101]);
+    assert.deepEqual(range(["12500", "200"], 0).slice(0, 2), [12413, 12513]);
+    assert.deepEqual(range(["100", "102"], 1).slice(0, 2), [94, 102]);
+    selection.reset();
+  });
+
+  test("of times is not rounded", () => {
+    const times = Selection.ofTime(0, 0.6);
+    times.set(0.1, 0.25);
+    assert.deepEqual([times.first, times.last], [0.1, 0.25]);
+    assert.ok(Selection.ofTime(2, 2).last > 2);
+  });
+});
+
+describe("the pairs that collide", () => {
+  const run = { spheres: 10 };
+  const view = (stretch) => () => ({ stretch, begin: 0, group: 1, size: stretch.size });
+
+  test("of a binned log are those of the whole log", () => {
+    const pairs = [
+      [1, 2, 50],
+      [3, 10, 40],
+    ];
+    const hit = (row) => (1 << row) | (1 << (row + 11));
+    const stretch = {
+      pairs,
+      pairMask: [1 | hit(1), 1 << 10],
+      k: Float64Array.of(1, 31),
+      size: 2,
+      last: 60,
+    };
+    const plot = pairsPlot(run, view(stretch));
+    assert.deepEqual([...plot.take(1, 60, 100).x], [1, 31]);
+    assert.deepEqual(plot.rows(), ["1\u20132", "3\u2013lower wall", "others"]);
+    assert.equal(plot.read(0), "collisions 1\u201330: 1\u20132, 3\u2013lower wall");
+    assert.equal(plot.read(1), "collisions 31\u201360: others");
+    assert.deepEqual(plot.numbers(1, 60), [
+      ["first_collision", "last_collision", "1-2", "3-10", "others"],
+      [
+        [1, 30, 1, 2, 0],
+        [31, 60, 0, 0, 1],
+      ],
+    ]);
+  });
+
+  test("of eleven pairs each has a row, of twelve two are the others", () => {
+    const rows = (count) => {
+      const i = Int32Array.from({ length: count }, (_, n) => n);
+      const k = Float64Array.from(i, (n) => n + 1);
+      const stretch = { i, j: i.map((n) => n + 1), flags: i, k, size: count, last: count };
+      const plot = pairsPlot({ spheres: 100 }, view(stretch));
+      plot.take(1, count, 100);
+      return plot.rows();
+    };
+    assert.equal(rows(11).at(-1), "10\u201311");
+    assert.equal(rows(12).at(-1), "2 others");
+  });
+});
+
+describe("files that are saved", () => {
+  test("hold all digits of a number, and nothing where there is none", () => {
+    const rows = [[1, 0.1 + 0.2, NaN, null, 'a "b", c']];
+    assert.equal(
+      csv(["k", "gap", "x", "y", "text"], rows),
+      'k,gap,x,y,text\n1,0.30000000000000004,,,"a ""b"", c"\n',
+    );
+    assert.equal(fileStem("a/b <c>.h5", "gap"), "a_b_c_-gap");
+  });
+
+  test("SVG says what a canvas would show, and no text in it acts as markup", () => {
+    const ctx = new SvgContext(200, 100, (_, text) => 7 * text.length);
+    ctx.save();
+    ctx.translate(0, 30);
+    ctx.rect(0, 0, 50, 50);
+    ctx.clip();
+    ctx.fillStyle = "#123456";
+    ctx.fillRect(1, 2, 3, 4);
+    ctx.fillRect(5, 6, 7, 8);
+    ctx.restore();
+    ctx.font = "600 13px sans-serif";
+    ctx.fillText('<b> & "c"', 8, 20);
+    const text = ctx.toString();
+    assert.match(
+      text,
+      /<clipPath id="clip1"><path d="M0 0h50v50h-50Z" transform="translate\(0 30\)"/,
+    );
+    assert.match(text, /d="M1 2h3v4h-3ZM5 6h7v8h-7Z" fill="#123456" transform="translate\(0 30\)"/);
+    assert.match(
+      text,
+      /font-size="13" font-weight="600"[^>]*fill="#000">&#60;b&#62; &#38; &#34;c&#34;</,
+    );
+    assert.equal(ctx.measureText("abc").width, 21);
+  });
+});
+
 describe("a sheared cell", () => {
   const cell = new Cell([10, 0, 0, 4, 10, 0, 0, 0, 10], 3, null);
 
@@ -229,20 +407,46 @@ describe("a sweep", () => {
     assert.deepEqual([wilson(0, 0).low, wilson(0, 0).high], [0, 1]);
   });
 
-  test("counts runs with a result only, and hits without arrest apart", () => {
-    const runs = {
-      status: ["done", "done", "done", "failed", "pending", "done"],
-      outcome: ["collapsed", "finished", "finished", null, null, "interrupted"],
-      separation_hits: [5, 9, 0, null, null, 3],
-      arrest_met: [1, 0, 0, null, null, 0],
-    };
-    const counted = (question) => [
-      share(runs, [0, 1, 2, 3, 4, 5], question).hits,
-      share(runs, [0, 1, 2, 3, 4, 5], question).runs,
-    ];
-    assert.deepEqual(counted("hit"), [2, 3]);
-    assert.deepEqual(counted("arrest"), [1, 3]);
-    assert.deepEqual(counted("false"), [1, 3]);
+  const runs = {
+    status: ["done", "done", "done", "failed", "pending", "done", "done"],
+    outcome: ["collapsed", "finished", "finished", null, null, "interrupted", "finished"],
+    verdict: ["true", "temporary", "none", null, null, "open", "open"],
+    separation_hits: [5, 9, 0, null, null, 3, 2],
+    arrest_met: [1, 0, 0, null, null, 0, 0],
+  };
+  const counted = (question) => {
+    const { hits, runs: asked } = share(runs, [...runs.status.keys()], question);
+    return [hits, asked];
+  };
+
+  test("counts runs with a result only, and hits that are open apart from those that were left", () => {
+    assert.deepEqual(counted(QUESTIONS.hit), [3, 4]);
+    assert.deepEqual(counted(QUESTIONS.arrest), [1, 4]);
+    assert.deepEqual(counted(QUESTIONS.left), [1, 4]);
+    assert.deepEqual(counted(QUESTIONS.open), [1, 4]);
+  });
+
+  test("calls no hit false", () => {
+    for (const { name } of Object.values(QUESTIONS)) assert.doesNotMatch(name, /false|true/);
+  });
+
+  test("asks what hits were of the runs that have been adjudicated", () => {
+    assert.deepEqual(findingQuestions(runs), {});
+    const found = ["singular", "near-collapse", null, null, null, null, "singular"];
+    const questions = findingQuestions({ adjudication_first_finding: found });
+    assert.deepEqual(
+      Object.values(questions).map(({ name }) => name),
+      ["first hits: singular", "first hits: near-collapse"],
+    );
+    assert.deepEqual(counted(questions["finding-singular"]), [2, 3]);
+    assert.deepEqual(counted(questions["finding-near-collapse"]), [1, 3]);
+  });
+
+  test("names its axes as the figures do", () => {
+    assert.deepEqual(["system.restitution", "system.spheres"].map(symbol), ["e", "N"]);
+    assert.equal(axisName("system.solids_volume_fraction"), "Solids volume fraction \u03c6");
+    assert.equal(symbol("collision.contact_duration"), "contact duration");
+    assert.equal(axisName("collision.overlap"), "collision.overlap");
   });
 
   test("puts the case of a run together", () => {

@@ -3,7 +3,16 @@ import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { assertQuiet, drawn, opened, startedBrowser, Workshop } from "./support.mjs";
+import {
+  assertQuiet,
+  drawn,
+  excess,
+  opened,
+  saved,
+  sizeOfPng,
+  startedBrowser,
+  Workshop,
+} from "./support.mjs";
 
 const SWEEP = `[sweep]
 seeds = 3
@@ -47,16 +56,57 @@ describe("the page of a sweep", () => {
 
   const cells = (which) => page.locator(`#diagram-${which} [data-point]`);
 
-  test("has three diagrams over two axes, and a choice for the third", async () => {
-    for (const which of ["hit", "arrest", "false"]) assert.equal(await cells(which).count(), 6);
+  test("has four diagrams over two axes, and a choice for the third", async () => {
+    for (const which of ["hit", "arrest", "left", "open"])
+      assert.equal(await cells(which).count(), 6);
     assert.match(
       await cells("arrest").first().getAttribute("aria-label"),
-      /^system\.restitution = 0\.1, system\.solids_volume_fraction = 0\.1: \d of 3 runs, \d+ % \(95 %: \d+ % to \d+ %\)$/,
+      /^e = 0\.1, \u03c6 = 0\.1: \d of 3 runs, \d+ % \(95 %: \d+ % to \d+ %\)$/,
     );
     const before = await cells("hit").first().getAttribute("data-point");
     await page.selectOption("#axis-collision-overlap", "guarded");
     assert.notEqual(await cells("hit").first().getAttribute("data-point"), before);
     await page.selectOption("#axis-collision-overlap", "rewind");
+  });
+
+  test("axes have their symbols, and their keys in a title", async () => {
+    const axis = page.locator("#diagram-hit .axis-name").first();
+    assert.equal(await axis.locator("title").textContent(), "system.restitution");
+    assert.match(await axis.textContent(), /Restitution e$/);
+    const choice = page.locator("#axis-across option").first();
+    assert.deepEqual(
+      [await choice.textContent(), await choice.getAttribute("title")],
+      ["e", "system.restitution"],
+    );
+    assert.match(
+      await page.locator("header").textContent(),
+      /e \(3\) \u00d7 \u03c6 \(2\) \u00d7 overlap \(2\)/,
+    );
+  });
+
+  test("a diagram is saved as PNG, SVG and CSV", async () => {
+    const csv = await saved(page, "#diagram-left", "csv");
+    const [head, ...rows] = csv.bytes.toString().trim().split("\n");
+    assert.equal(
+      head,
+      "system.restitution,system.solids_volume_fraction,collision.overlap,runs_with,runs,share,low,high",
+    );
+    assert.equal(rows.length, 6);
+    assert.match(rows[0], /^0\.1,0\.1,rewind,\d,3,/);
+    const svg = await saved(page, "#diagram-left", "svg");
+    assert.equal(svg.name, "s-left.svg");
+    assert.match(svg.bytes.toString(), /^<svg [\s\S]*hits, no arrest: left[\s\S]*fill="rgb\(/);
+    const png = await saved(page, "#diagram-left", "png");
+    assert.deepEqual(sizeOfPng(png.bytes), [3 * 470, 3 * 384]);
+  });
+
+  test("a narrow window is not scrolled sideways", async () => {
+    await page.click("#diagram-arrest [data-point='0']");
+    await page.setViewportSize({ width: 420, height: 900 });
+    await drawn(page);
+    assert.ok((await excess(page)) <= 0, `${await excess(page)}`);
+    await page.setViewportSize({ width: 1500, height: 1000 });
+    await drawn(page);
   });
 
   test("the axes can be exchanged", async () => {
@@ -71,7 +121,7 @@ describe("the page of a sweep", () => {
     await page.click("#diagram-arrest [data-point='10']");
     assert.match(
       await page.locator("#point h3").first().textContent(),
-      /restitution = 0\.9, .*fraction = 0\.4, .*rewind/,
+      /^e = 0\.9, \u03c6 = 0\.4, overlap = rewind$/,
     );
     assert.equal(await page.locator("#point tbody tr").count(), 3);
     await page.click("#point button:text('run 22')");
@@ -79,7 +129,7 @@ describe("the page of a sweep", () => {
       .zenosphere("sweep", "show", "s.sqlite", "--run", "22")
       .replace(/^# Run.*\n\n/, "");
     assert.equal(await page.locator("#run-case .case").textContent(), shown);
-    assert.equal(await page.locator(".chosen").count(), 3);
+    assert.equal(await page.locator(".chosen").count(), 4);
   });
 
   test("keys alone go from point to point and choose one", async () => {
@@ -88,9 +138,6 @@ describe("the page of a sweep", () => {
     await page.keyboard.press("ArrowUp");
     await page.keyboard.press("Enter");
     await drawn(page);
-    assert.match(
-      await page.locator("#point h3").first().textContent(),
-      /restitution = 0\.5, .*fraction = 0\.4/,
-    );
+    assert.match(await page.locator("#point h3").first().textContent(), /^e = 0\.5, \u03c6 = 0\.4/);
   });
 });

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -16,7 +17,7 @@
 namespace zenosphere {
 namespace {
 
-/// Columns of the table `run` that the page shows.
+/// Columns of the table `run` that the page shows; a store without adjudication has no others.
 constexpr std::array<std::string_view, 17> columns{"run",
                                                    "point",
                                                    "replica",
@@ -34,6 +35,23 @@ constexpr std::array<std::string_view, 17> columns{"run",
                                                    "arrest_pairs",
                                                    "granular_temperature",
                                                    "collision_rate"};
+
+/// Further ones, of what `adjudicate` found in each run.
+constexpr std::array<std::string_view, 5> findings{"adjudication_first_finding",
+                                                   "adjudication_finding", "adjudication_sentence",
+                                                   "adjudication_groups", "adjudication_left_out"};
+
+/// Those of both that the store has; all of the first, so that a damaged one is an error.
+std::vector<std::string_view> columns_in(Database& store) {
+  std::vector<std::string_view> found(columns.begin(), columns.end());
+  Statement query = store.statement("SELECT name FROM pragma_table_info('run')");
+  while (query.step()) {
+    const std::string name = cell_text(query.cell(0));
+    const auto column = std::ranges::find(findings, name);
+    if (column != findings.end()) found.push_back(*column);
+  }
+  return found;
+}
 
 Json json_of(const Cell& cell) {
   if (const auto* integer = std::get_if<std::int64_t>(&cell)) return *integer;
@@ -66,7 +84,8 @@ std::string runs_with_places(const StoredSweep& sweep) {
 Json runs_of(Database& store, const StoredSweep& sweep) {
   std::string list;
   Json json = Json::object();
-  for (const auto& name : columns) {
+  const auto names = columns_in(store);
+  for (const auto& name : names) {
     list += fmt::format("{}, ", name == "point" ? "place" : name);
     json[std::string(name)] = Json::array();
   }
@@ -74,10 +93,10 @@ Json runs_of(Database& store, const StoredSweep& sweep) {
   Statement query =
       store.statement("SELECT " + list + "seed FROM " + runs_with_places(sweep) + " ORDER BY run");
   while (query.step()) {
-    for (std::size_t n = 0; n < columns.size(); ++n) {
-      json[std::string(columns[n])].push_back(json_of(query.cell(static_cast<int>(n))));
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      json[std::string(names[n])].push_back(json_of(query.cell(static_cast<int>(n))));
     }
-    json["seed"].push_back(cell_text(query.cell(static_cast<int>(columns.size()))));
+    json["seed"].push_back(cell_text(query.cell(static_cast<int>(names.size()))));
   }
   return json;
 }
