@@ -1,5 +1,6 @@
 // The page of a sweep in a real browser.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
@@ -130,6 +131,38 @@ describe("the page of a sweep", () => {
       .replace(/^# Run.*\n\n/, "");
     assert.equal(await page.locator("#run-case .case").textContent(), shown);
     assert.equal(await page.locator(".chosen").count(), 4);
+  });
+
+  test("findings of a store have diagrams, and are said of a run", async () => {
+    const add = `import sqlite3
+store = sqlite3.connect("s.sqlite")
+there = {name for _, name, *_ in store.execute("PRAGMA table_info(run)")}
+for name in ("first_finding", "finding", "sentence"):
+    if "adjudication_" + name not in there:
+        store.execute(f"ALTER TABLE run ADD COLUMN adjudication_{name} TEXT")
+store.execute("UPDATE run SET adjudication_first_finding = 'near-collapse',"
+              " adjudication_finding = 'singular', adjudication_sentence = 'Gaps fell.' WHERE run < 2")
+store.commit()`;
+    execFileSync("/usr/bin/python3", ["-c", add], { cwd: workshop.folder });
+    workshop.zenosphere("report", "s.sqlite", "-o", "f.html");
+    const { page: other, problems: complaints } = await opened(
+      browser,
+      join(workshop.folder, "f.html"),
+    );
+    const diagrams = await other.locator("figcaption").allTextContents();
+    assert.deepEqual(diagrams.slice(4), ["first hits: near-collapse"]);
+    const [first, second] = await other
+      .locator("#diagram-finding-near-collapse [data-point]")
+      .evaluateAll((cells) => cells.map((cell) => cell.getAttribute("aria-label")));
+    assert.match(first, /: [12] of [12] runs, 100 %/);
+    assert.match(second, /no run done/);
+    await other.click("#diagram-finding-near-collapse [data-point='0']");
+    assert.match(
+      await other.locator("#run-case").textContent(),
+      /First: near-collapse; the strongest of all: singular\. Gaps fell\./,
+    );
+    assertQuiet(complaints);
+    await other.close();
   });
 
   test("keys alone go from point to point and choose one", async () => {

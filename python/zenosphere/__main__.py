@@ -1,5 +1,5 @@
-"""Command line: `python3 -m zenosphere figures ...`, `... report-md ...`, `... cooling ...` and
-`... ensemble ...`."""
+"""Command line: `python3 -m zenosphere figures ...`, `... report-md ...`, `... cooling ...`,
+`... movie ...` and `... ensemble ...`."""
 
 import argparse
 import sys
@@ -11,6 +11,7 @@ from .ensemble import Ensemble
 from .ensemble_figures import draw_ensemble
 from .errors import InputError, OutputError
 from .figures import FALSE_POSITIVE, TRUE_COLLAPSE, draw_general_figures, draw_paper_figures
+from .movie import COLOURINGS, draw_movie
 from .report import write_report
 from .run_file import RunFile
 from .search_figures import draw_search
@@ -59,6 +60,15 @@ def _cooling(options):
     print(options.output)
 
 
+def _movie(options):
+    with RunFile(options.file) as run:
+        written, hint = draw_movie(run, options.output or Path(f"{run.name}.mp4"), options.colour,
+                                   options.fps, options.every)
+    print(written)
+    if hint:
+        print(hint, file=sys.stderr)
+
+
 def _ensemble(options):
     ensemble = Ensemble(options.file)
     written = (draw_search(ensemble, options.output) if ensemble.boundaries() else
@@ -97,8 +107,31 @@ def _parser():
     cooling.add_argument("-o", "--output", metavar="FIGURE.png", type=Path,
                          default=Path("cooling.png"), help="the figure (default: cooling.png)")
     cooling.set_defaults(command=_cooling)
+    _add_movie(commands)
     _add_ensemble(commands)
     return parser
+
+
+def _add_movie(commands):
+    movie = commands.add_parser("movie", help="draw the snapshots one after another")
+    movie.add_argument("file", metavar="OUT.h5", type=Path, help="a run with snapshots")
+    movie.add_argument("-o", "--output", metavar="MOVIE.mp4", type=Path,
+                       help="the movie, by ffmpeg; a name without suffix: a folder of PNGs"
+                       " (default: OUT.mp4)")
+    movie.add_argument("--colour", choices=COLOURINGS, default="speed",
+                       help="of spheres: peculiar speed, or how many collisions ago each of them"
+                       " collided last (default: speed)")
+    movie.add_argument("--fps", metavar="N", type=_positive, default=12,
+                       help="snapshots a second (default: 12)")
+    movie.add_argument("--every", metavar="N", type=_positive, default=1,
+                       help="one snapshot of so many (default: 1)")
+    movie.set_defaults(command=_movie)
+
+
+def _positive(text):
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text!r} (must be a whole number above 0)")
+    return int(text)
 
 
 def _add_ensemble(commands):

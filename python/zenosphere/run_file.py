@@ -111,6 +111,11 @@ class RunFile:
         """Times of the snapshots, float64 (T)."""
         return self._spheres()["position/time"][:]
 
+    @property
+    def snapshot_steps(self):
+        """Collisions done at each snapshot, int64 (T)."""
+        return self._spheres()["position/step"][:]
+
     def snapshots(self):
         """Yields (positions (N, D), velocities (N, D), box edges (D, D)) of each snapshot."""
         spheres = self._spheres()
