@@ -50,7 +50,7 @@ export class Plot {
         width: this.box.clientWidth,
         height: definition.height ?? HEIGHT,
         legend: { show: false },
-        padding: [10, 28, 0, 0],
+        padding: [10, 36, 0, 0],
         cursor: {
           sync: { key: this.horizontal.key, scales: ["x", null] },
           drag: { x: true, y: false, setScale: false },
