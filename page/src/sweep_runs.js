@@ -25,7 +25,8 @@ export function runsOfPoint(sweep, point, numbers) {
 function runTable({ runs }, numbers, showCase) {
   const cell = (value, digits) =>
     typeof value === "number" ? short(value, digits) : (value ?? DASH);
-  const findings = runs.adjudication_first_finding ? [runs.adjudication_first_finding] : [];
+  const isAdjudicated = runs.adjudication_first_finding?.some((finding) => finding !== null);
+  const findings = isAdjudicated ? [runs.adjudication_first_finding] : [];
   const whole = (value) => (typeof value === "number" ? grouped(value) : DASH);
   const rows = numbers.map((n) => [
     element("button", { type: "button", onclick: () => showCase(n) }, `run ${runs.run[n]}`),
