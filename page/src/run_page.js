@@ -56,7 +56,7 @@ function header(run) {
   };
   const facts = [
     `${grouped(run.spheres)} ${["rods", "disks", "spheres"][run.dimension - 1]}`,
-    values.restitution === null ? "viscoelastic" : `e = ${short(values.restitution)}`,
+    values.restitution === null ? values.restitution_law : `e = ${short(values.restitution)}`,
     values.solids_volume_fraction ? `volume fraction ${short(values.solids_volume_fraction)}` : "",
     drive[values.drive],
     `seed ${values.seed}`,

@@ -73,12 +73,13 @@ def temperature_of_collisions(run, start, most=2000):
 def is_plain(run):
     """Whether nothing feeds energy to the spheres of a run, and each collision takes one share."""
     return (run.setting("drive", "kind") == "none" and not {"walls", "gravity"} & set(run.case)
-            and not is_viscoelastic(run) and not run.setting("collision", "contact_duration"))
+            and restitution_law(run) == "constant"
+            and not run.setting("collision", "contact_duration"))
 
 
-def is_viscoelastic(run):
-    """Whether the restitution of a run depends on the speed."""
-    return run.setting("collision", "restitution_law") == "viscoelastic"
+def restitution_law(run):
+    """The law of restitution of a run, as the case names it; older files name none."""
+    return run.setting("collision", "restitution_law") or "constant"
 
 
 def contact_value(dimension, fraction):
@@ -152,5 +153,5 @@ def haff_of(run, time, temperature):
         tau = haff_time(run.setting("system", "dimension"), fraction,
                         run.setting("system", "restitution"), temperature[0])
         return Haff(temperature[0], tau, is_fitted=False)
-    power = 5 / 3 if is_viscoelastic(run) else 2
+    power = 5 / 3 if restitution_law(run) == "viscoelastic" else 2
     return Haff(temperature[0], fitted_time(time, temperature, power), is_fitted=True, power=power)

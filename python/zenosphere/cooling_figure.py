@@ -65,8 +65,10 @@ def _law(haff):
 
 
 def _restitution(run):
-    if cooling.is_viscoelastic(run):
+    if cooling.restitution_law(run) == "viscoelastic":
         return f"e(v), A = {words.short(run.setting('collision', 'viscoelastic_constant'))}"
+    if cooling.restitution_law(run) == "fixed_loss":
+        return f"e(v), loss {words.short(run.setting('collision', 'energy_loss'))}"
     return words.short(run.setting("system", "restitution"))
 
 

@@ -61,6 +61,7 @@ void ContactPhysics<Dim, Real>::amend(Collision<Dim, Real>& collision, const Vec
   if (!(impact.normal_speed > 0)) return;
   Real restitution = restitution_;
   if (models_.viscoelastic) restitution = (*models_.viscoelastic)(impact.normal_speed);
+  if (models_.fixed_loss) restitution = (*models_.fixed_loss)(impact.normal_speed);
   if (lasts) restitution = 1;
   collision.made_elastic = lasts;
   impact.impulse = (1 + restitution) * impact.normal_speed / 2;

@@ -13,7 +13,7 @@
 namespace zenosphere {
 
 enum class DriveKind { none, shear, random };
-enum class RestitutionLaw { constant, viscoelastic };
+enum class RestitutionLaw { constant, viscoelastic, fixed_loss };
 enum class CollisionLog { all, window, none };
 enum class Axis { x, y, z };
 
@@ -60,6 +60,7 @@ struct Case {
     Precision precision = Precision::double_precision;
     RestitutionLaw restitution_law = RestitutionLaw::constant;
     double viscoelastic_constant = 0;  ///< A, (time/diameter)^(1/5)
+    double energy_loss = 0;            ///< of an energetic collision, mass diameter^2/time^2
     double contact_duration = 0;       ///< of the TC model, time; 0: not used
     double rotation_angle = 0;         ///< largest, radians; 0: not used
   } collision;

@@ -49,6 +49,10 @@ constexpr Condition only_viscoelastic = {
     {"collision.restitution_law", ""},
     [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::viscoelastic; },
     "collision.restitution_law = \"viscoelastic\""};
+constexpr Condition only_fixed_loss = {
+    {"collision.restitution_law", ""},
+    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::fixed_loss; },
+    "collision.restitution_law = \"fixed_loss\""};
 constexpr Condition only_sheared = {{"drive.kind", ""},
                                     [](const Case& c) { return c.drive.kind == DriveKind::shear; },
                                     "drive.kind = \"shear\""};
@@ -80,6 +84,8 @@ constexpr double most_collisions = 1e15;
 constexpr double longest_contact = 1e100;
 // Every collision faster than 1e-100 is wholly inelastic then.
 constexpr double most_viscoelastic = 1e100;
+// Beyond every collision, and four times it is a number.
+constexpr double most_loss = 1e300;
 // A right angle: a pair may still recede then, whatever its velocity.
 constexpr double widest_rotation = 1.57;
 
@@ -152,6 +158,10 @@ constexpr std::array key_table{
         [](Case& c) -> Slot { return &c.collision.viscoelastic_constant; },
         above_to(0, most_viscoelastic), &only_viscoelastic,
         "A in e = 1 - C1 A v^(1/5) + ... [(time/diameter)^(1/5)]"},
+    Key{"collision", "energy_loss", required,
+        [](Case& c) -> Slot { return &c.collision.energy_loss; }, above_to(0, most_loss),
+        &only_fixed_loss,
+        "of each collision with more kinetic energy along its normal [mass diameter^2/time^2]"},
     Key{"collision", "contact_duration", optional,
         [](Case& c) -> Slot { return &c.collision.contact_duration; },
         from_to(0, longest_contact, "0 is off"), nullptr,

@@ -34,7 +34,8 @@ constexpr std::array overlap_words{
     Word{"rewind", OverlapRule::rewind}, Word{"immediate", OverlapRule::immediate},
     Word{"guarded", OverlapRule::guarded}, Word{"stop", OverlapRule::stop}};
 constexpr std::array law_words{Word{"constant", RestitutionLaw::constant},
-                               Word{"viscoelastic", RestitutionLaw::viscoelastic}};
+                               Word{"viscoelastic", RestitutionLaw::viscoelastic},
+                               Word{"fixed_loss", RestitutionLaw::fixed_loss}};
 constexpr std::array log_words{Word{"all", CollisionLog::all}, Word{"window", CollisionLog::window},
                                Word{"none", CollisionLog::none}};
 

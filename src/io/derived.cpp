@@ -103,12 +103,21 @@ void add_kicks(const Case& values, Lines& lines) {
   lines.add("kicks until run.time", std::floor(*values.run.time / values.drive.kick_interval));
 }
 
-void add_contact(const Case& values, Lines& lines) {
-  const auto& collision = values.collision;
-  if (collision.restitution_law != RestitutionLaw::viscoelastic) return;
-  const ViscoelasticRestitution<double> restitution(collision.viscoelastic_constant);
+template <class Restitution>
+void add_restitution(const Restitution& restitution, Lines& lines) {
   for (const double speed : {1.0, 0.01}) {
     lines.add(fmt::format("restitution at the speed {:g}", speed), restitution(speed));
+  }
+}
+
+void add_contact(const Case& values, Lines& lines) {
+  const auto& collision = values.collision;
+  if (collision.restitution_law == RestitutionLaw::fixed_loss) {
+    lines.add("energy lost above the speed", 2 * std::sqrt(collision.energy_loss),
+              "diameters/time");
+    add_restitution(FixedLossRestitution<double>(collision.energy_loss), lines);
+  } else if (collision.restitution_law == RestitutionLaw::viscoelastic) {
+    add_restitution(ViscoelasticRestitution<double>(collision.viscoelastic_constant), lines);
   }
 }
 

@@ -43,12 +43,47 @@ class ViscoelasticRestitution {
   Real b3_ = b1_ * b2_;
 };
 
+/// Coefficient of restitution of two spheres that lose a fixed energy in each energetic collision.
+///
+/// Where the kinetic energy of their normal motion, v^2/4 for two unit masses, exceeds the loss,
+/// the collision takes exactly the loss: the restitution is sqrt(1 - c^2/v^2), c^2 = 4 loss. A
+/// weaker collision is elastic. So a collapse, in which the speeds fall without end, cannot begin.
+///
+/// Source: spheres that lose a fixed energy, Dolmaire & Velazquez, arXiv 2403.02162 (2024); that it
+/// is taken from the normal motion alone is what smooth spheres need.
+template <class Real>
+class FixedLossRestitution {
+ public:
+  /// \param loss  > 0, mass diameter^2/time^2
+  explicit FixedLossRestitution(const Real& loss) : threshold_(two_roots(loss)) {}
+
+  /// \param normal_speed  closing speed > 0, diameters/time
+  /// \return              in (0, 1]; 1 up to and at the threshold 2 sqrt(loss)
+  Real operator()(const Real& normal_speed) const {
+    using std::sqrt;
+    if (!(normal_speed > threshold_)) return Real(1);
+    // The quotient of speeds neither overflows nor underflows, and a difference keeps its digits.
+    const Real share = threshold_ / normal_speed;
+    const Real rest = (normal_speed - threshold_) / normal_speed;
+    return sqrt(static_cast<Real>(rest * (1 + share)));
+  }
+
+ private:
+  static Real two_roots(const Real& loss) {
+    using std::sqrt;
+    return Real(2 * sqrt(loss));
+  }
+
+  Real threshold_;
+};
+
 /// What a collision of two spheres does beyond a constant restitution. Each model is apart from the
 /// others, and they combine.
 template <class Real>
 struct ContactModels {
-  /// In the place of the constant restitution.
+  /// In the place of the constant restitution; at most one of them.
   std::optional<ViscoelasticRestitution<Real>> viscoelastic{};
+  std::optional<FixedLossRestitution<Real>> fixed_loss{};
   /// TC model: a collision of a sphere whose last one was less than this ago is elastic; 0: never.
   /// Source: Luding & McNamara, Granular Matter 1 (1998) 113.
   Real contact_duration = 0;
@@ -57,7 +92,9 @@ struct ContactModels {
   Real rotation_angle = 0;
   std::uint64_t seed = 1;  ///< of the random angles
 
-  bool is_any() const { return viscoelastic || contact_duration > 0 || rotation_angle > 0; }
+  bool is_any() const {
+    return viscoelastic || fixed_loss || contact_duration > 0 || rotation_angle > 0;
+  }
 };
 
 }  // namespace zenosphere

@@ -58,10 +58,12 @@ Json json_of(const std::optional<Dissection>& dissection) {
 /// What the page needs to know of the case, in numbers and words.
 Json json_of(const Case& values) {
   static constexpr const char* drives[] = {"none", "shear", "random"};
+  static constexpr const char* laws[] = {"constant", "viscoelastic", "fixed loss"};
   static constexpr const char* axes[] = {"x", "y", "z"};
   const auto& walls = values.walls.axis;
   const bool is_constant = values.collision.restitution_law == RestitutionLaw::constant;
   return {{"restitution", is_constant ? Json(values.system.restitution) : Json()},
+          {"restitution_law", laws[static_cast<int>(values.collision.restitution_law)]},
           {"solids_volume_fraction", values.system.solids_volume_fraction},
           {"drive", drives[static_cast<int>(values.drive.kind)]},
           {"shear_rate", values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0.0},

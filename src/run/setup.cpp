@@ -82,6 +82,9 @@ ContactRules<Real> contact_rules_of(const Case& values) {
   if (collision.restitution_law == RestitutionLaw::viscoelastic) {
     rules.models.viscoelastic.emplace(from_decimal<Real>(collision.viscoelastic_constant));
   }
+  if (collision.restitution_law == RestitutionLaw::fixed_loss) {
+    rules.models.fixed_loss.emplace(from_decimal<Real>(collision.energy_loss));
+  }
   rules.models.contact_duration = from_decimal<Real>(collision.contact_duration);
   rules.models.rotation_angle = from_decimal<Real>(collision.rotation_angle);
   rules.models.seed = values.start.seed;

@@ -160,10 +160,11 @@ bool Replay<Dim>::check(const CollisionRow& row, const Meeting<Dim>& meeting, Fi
 
 /// The velocities after a collision, by the logged normal speed: errors grow by the direction of
 /// the normal, the rounding of that speed, and that of the restitution law in the engine (some
-/// units in the last place of a number <= 1).
+/// units in the last place of a number <= 1; more just above a fixed loss).
 template <int Dim>
 void Replay<Dim>::collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse) {
-  const Number growth = impulse * meeting.normal_error + 8 * double_rounding * impulse;
+  const Number growth =
+      impulse * meeting.normal_error + 8 * double_rounding * impulse + law_.impulse_error(row);
   for (const auto& [sphere, direction] : {std::pair{row.i, -1}, std::pair{row.j, 1}}) {
     Body<Dim>& one = body(sphere);
     one = motion_.moved(one, row.time);

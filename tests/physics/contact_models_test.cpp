@@ -60,6 +60,7 @@ const Changes kTc{"collision.contact_duration=1e-3"};
 const Changes kViscoelastic{"collision.restitution_law=viscoelastic",
                             "collision.viscoelastic_constant=0.3"};
 const Changes kRotation{"collision.rotation_angle=0.1"};
+const Changes kFixedLoss{"collision.restitution_law=fixed_loss", "collision.energy_loss=0.5"};
 
 // Without a model the flights shrink by 0.3125 and sum up to 40/11. With t_c = 1e-6 the collisions
 // become elastic after ln(2.5e6)/ln(3.2) = 13 of them; then the energy stays, and three elastic
@@ -119,11 +120,60 @@ TEST(ViscoelasticLaw, EndsTheCollapseOfThreeRods) {
   EXPECT_LT(run.collisions, 6);
 }
 
+// The rods have the energy 0.508, and none is in a collision with less than the loss any more once
+// a few times the loss is gone: then they are three elastic rods, which part after two or three
+// more.
+TEST(FixedLossLaw, EndsTheCollapseOfThreeRodsInEveryPrecision) {
+  for (const std::string precision : {"double", "extended", "quad", "digits100"}) {
+    for (const std::string loss : {"1e-2", "1e-4", "1e-6"}) {
+      const Summary run =
+          three_rods({"collision.restitution_law=fixed_loss", "collision.energy_loss=" + loss,
+                      "collision.precision=" + precision});
+      EXPECT_EQ(run.verdict, "none") << precision << ' ' << loss;
+      EXPECT_EQ(run.time, 30) << precision << ' ' << loss;
+      EXPECT_LT(run.collisions, 10) << precision << ' ' << loss;
+    }
+  }
+}
+
+/// A gas without a drive, which can only lose energy in its collisions.
+const std::string kCooling = R"(
+[system]
+dimension = 2
+spheres = 100
+solids_volume_fraction = 0.3
+[start]
+arrangement = "random"
+granular_temperature = 1
+[drive]
+kind = "none"
+[collision]
+restitution_law = "fixed_loss"
+energy_loss = 0.0078125
+[run]
+collisions = 3000
+[measure]
+after_time = 0
+)";
+
+TEST(FixedLossLaw, TakesAWholeNumberOfLossesFromACoolingGas) {
+  for (const std::string precision : {"double", "quad"}) {
+    const Summary run = test::run_text(kCooling, {"collision.precision=" + precision});
+    const auto averages = run.averages.value();
+    const double volume = 100 * std::numbers::pi / 4 / 0.3;
+    const double losses = averages.dissipation * run.time * volume / 0.0078125;
+    EXPECT_GT(losses, 1000) << precision;
+    EXPECT_LT(losses, run.collisions) << precision;
+    EXPECT_NEAR(losses, std::round(losses), 1e-8) << precision;
+    EXPECT_LT(run.ledger_error, 1e-12) << precision;
+  }
+}
+
 TEST(ContactModelsUnderShear, CloseTheEnergyLedgerEachAndTogether) {
   Changes all = kTc;
   all.insert(all.end(), kViscoelastic.begin(), kViscoelastic.end());
   all.insert(all.end(), kRotation.begin(), kRotation.end());
-  for (const Changes& changes : {kTc, kViscoelastic, kRotation, all}) {
+  for (const Changes& changes : {kTc, kViscoelastic, kRotation, kFixedLoss, all}) {
     const Summary run = test::run_text(kSheared, changes);
     // 20000 collisions of ulps each, where a wrong term would be of the order 1.
     EXPECT_LT(run.ledger_error, 1e-12) << changes.front();
@@ -132,9 +182,11 @@ TEST(ContactModelsUnderShear, CloseTheEnergyLedgerEachAndTogether) {
 
 // The same random angles in every precision, and a ledger that closes to its rounding.
 TEST(ContactModelsUnderShear, FollowTheSameTrajectoryInEveryPrecisionAndDimension) {
-  for (const bool is_plane : {false, true}) {
+  for (const auto& [is_plane, law] :
+       {std::pair(false, kViscoelastic), std::pair(true, kViscoelastic),
+        std::pair(false, kFixedLoss), std::pair(true, kFixedLoss)}) {
     Changes changes{"system.spheres=32", "run.collisions=64"};
-    for (const Changes& more : {kTc, kViscoelastic, kRotation}) {
+    for (const Changes& more : {kTc, law, kRotation}) {
       changes.insert(changes.end(), more.begin(), more.end());
     }
     if (is_plane) {
@@ -155,7 +207,7 @@ TEST(ContactModelsUnderShear, FollowTheSameTrajectoryInEveryPrecisionAndDimensio
 }
 
 TEST(ContactModelsUnderShear, KeepTheDissipationEqualToTheWorkInASteadyState) {
-  for (const Changes& model : {kTc, kViscoelastic, kRotation}) {
+  for (const Changes& model : {kTc, kViscoelastic, kRotation, kFixedLoss}) {
     Changes changes = model;
     changes.insert(changes.end(), {"run.collisions=100000", "measure.after_time=10"});
     const auto averages = test::run_text(kSheared, changes).averages.value();

@@ -135,7 +135,12 @@ std::string contact(RandomSystem& system, Dice& dice) {
                         0.1 / std::pow(system.speed, 0.2));
     system.restitution.reset();
   }
-  if (model < 3) system.is_bare = false;
+  if (model == 3) {
+    text += fmt::format("restitution_law = \"fixed_loss\"\nenergy_loss = {}\n",
+                        0.1 * system.speed * system.speed);
+    system.restitution.reset();
+  }
+  if (model < 4) system.is_bare = false;
   return text;
 }
 

@@ -17,7 +17,7 @@ struct RandomSystem {
   int dimension = 1;
   int spheres = 1;
   double speed = 1;
-  std::optional<double> restitution = 1;  ///< none: viscoelastic
+  std::optional<double> restitution = 1;  ///< none: another law
   double shear_rate = 0;
   std::vector<double> sides;                    ///< diameters
   std::vector<std::vector<double>> positions;   ///< N x D, diameters

@@ -47,6 +47,15 @@ def test_page_says_what_info_says(page, program):
     summary = json.loads(program("info", str(output), "--json").stdout)
     assert found["run"]["summary"] == summary
     assert found["run"]["values"]["restitution"] == 0.2
+    assert found["run"]["values"]["restitution_law"] == "constant"
+
+
+def test_page_names_the_law_of_a_run_without_a_constant_restitution(program):
+    program("run", "case.toml", "--quiet", "-o", "out.h5", "--set", "run.collisions=100", "--set",
+            "collision.restitution_law=fixed_loss", "--set", "collision.energy_loss=0.1")
+    program("report", "out.h5", "-o", "page.html")
+    values = blocks(program.folder / "page.html")["run"]["values"]
+    assert (values["restitution"], values["restitution_law"]) == (None, "fixed loss")
 
 
 def test_every_row_of_a_short_log_is_in_the_page_bit_for_bit(page):

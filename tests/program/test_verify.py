@@ -176,12 +176,14 @@ WALLED = ["--set", "drive.kind=none", "--set", "drive.shear_rate=0", "--set", "w
           "--set", "walls.restitution=0.8", "--set", "start.arrangement=random"]
 VISCOELASTIC = ["--set", "collision.restitution_law=viscoelastic", "--set",
                 "collision.viscoelastic_constant=0.3"]
+FIXED_LOSS = ["--set", "collision.restitution_law=fixed_loss", "--set", "collision.energy_loss=0.1"]
 
 
 @pytest.mark.parametrize("words", [LASTING, VISCOELASTIC, [*LASTING, *VISCOELASTIC],
-                                   [*LASTING, *VISCOELASTIC, *WALLED]])
+                                   [*LASTING, *VISCOELASTIC, *WALLED], FIXED_LOSS,
+                                   [*LASTING, *FIXED_LOSS, *WALLED]])
 def test_contact_models_are_replayed_and_counted(program, words):
-    if VISCOELASTIC[1] in words:
+    if VISCOELASTIC[1] in words or FIXED_LOSS[1] in words:
         program.case.write_text(program.case.read_text().replace("restitution = 0.9\n", ""))
     summary = program.run((), *EVERYTHING, *words, "-o", "out.h5")
     assert replayed(program) == 2000
@@ -202,6 +204,18 @@ def test_viscoelastic_constant_of_another_run(program):
         del run["zenosphere/resolved"]
         run["zenosphere/resolved"] = case.replace("_constant = 0.3 ", "_constant = 0.3000001 ")
     assert findings(program) != []
+
+
+def test_fixed_loss_of_another_run(program):
+    program.case.write_text(program.case.read_text().replace("restitution = 0.9\n", ""))
+    program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING, *FIXED_LOSS)
+    with h5py.File(program.folder / "out.h5", "r+") as run:
+        case = run["zenosphere/resolved"][()].decode()
+        assert "energy_loss = 0.1 " in case
+        del run["zenosphere/resolved"]
+        run["zenosphere/resolved"] = case.replace("energy_loss = 0.1 ", "energy_loss = 0.1000001 ")
+    told = "".join(findings(program))
+    assert "from where the log leads it" in told
 
 
 def test_after_a_random_rotation_nothing_is_claimed_of_a_sphere(program):

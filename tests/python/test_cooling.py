@@ -136,8 +136,19 @@ def test_viscoelastic_run_is_fitted_with_the_power_five_thirds(tmp_path):
     assert main(["cooling", str(path), "-o", str(tmp_path / "cooling.png")]) == 0
 
 
-def test_losses_are_not_counted_where_some_collisions_are_elastic(tmp_path):
-    path = write_cooling(tmp_path / "run.h5", [1, 0.9], log=([0.1], [1.0]),
-                         collision="contact_duration = 1e-3\n")
+FIXED_LOSS = 'restitution_law = "fixed_loss"\nenergy_loss = 0.1\n'
+
+
+def test_run_with_a_fixed_loss_is_fitted_and_named(tmp_path):
+    path = write_cooling(tmp_path / "run.h5", haff(0.5 * np.arange(40), 2.0), collision=FIXED_LOSS)
+    with RunFile(path) as run:
+        law = cooling.haff_of(run, *cooling.temperature_of_snapshots(run))
+    assert (law.power, law.is_fitted) == (2, True)
+    assert main(["cooling", str(path), "-o", str(tmp_path / "cooling.png")]) == 0
+
+
+@pytest.mark.parametrize("collision", ["contact_duration = 1e-3\n", FIXED_LOSS])
+def test_losses_are_not_counted_where_some_collisions_are_elastic(tmp_path, collision):
+    path = write_cooling(tmp_path / "run.h5", [1, 0.9], log=([0.1], [1.0]), collision=collision)
     with RunFile(path) as run:
         assert cooling.temperature_of_collisions(run, 1.0)[0].size == 0

@@ -98,6 +98,42 @@ TEST(ContactPhysics, CountsTheRestitutionThatWasUsed) {
   EXPECT_DOUBLE_EQ(physics.counts().mean_restitution, law(0.5));
 }
 
+/// Kinetic energy of the relative motion of two unit masses.
+double energy(const Vec<3, double>& dv) { return dot(dv, dv) / 4; }
+
+TEST(FixedLoss, IsTakenFromTheNormalMotionAlone) {
+  const FixedLossRestitution<double> law(0.25);
+  ContactPhysics<3, double> physics({.fixed_loss = law}, 0, 2, 1.0);
+  Dice dice(5);
+  int energetic = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Vec<3, double> dv{
+        {-dice.between(0, 3), dice.between(-9, 9), dice.between(-9, 9)}};  // the normal is along x
+    auto collision = contact_of<3>(0, 1, dv, 0);
+    physics.amend(collision, dv);
+    const auto after = dv - collision.change * 2.0;  // each sphere takes half of it
+    const bool loses = dv[0] < -1;                   // dv^2/4 > 0.25
+    EXPECT_NEAR(energy(dv) - energy(after), loses ? 0.25 : 0, 2e-14) << dv[0];
+    EXPECT_EQ(after[1], dv[1]);
+    EXPECT_EQ(after[2], dv[2]);
+    EXPECT_GT(after[0], 0);
+    energetic += loses;
+  }
+  EXPECT_GT(energetic, 1000);
+}
+
+TEST(FixedLoss, IsNotTakenFromAContactThatLasts) {
+  const FixedLossRestitution<double> law(0.0625);
+  ContactPhysics<1, double> physics({.fixed_loss = law, .contact_duration = 1}, 0, 3, 1.0);
+  auto first = contact_of<1>(0, 1, {{-1.0}}, 0, 5);
+  physics.amend(first, {{-1.0}});
+  EXPECT_DOUBLE_EQ(restitution_of(first), std::sqrt(0.75));
+  auto second = contact_of<1>(1, 2, {{-1.0}}, 0, 5.5);
+  physics.amend(second, {{-1.0}});
+  EXPECT_DOUBLE_EQ(restitution_of(second), 1);
+  EXPECT_DOUBLE_EQ(physics.counts().mean_restitution, (1 + std::sqrt(0.75)) / 2);
+}
+
 /// Relative velocities after collisions at random directions, without and with the rotation.
 template <int Dim>
 struct Turned {

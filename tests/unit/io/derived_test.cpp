@@ -98,6 +98,13 @@ TEST(DerivedText, TellsTheRestitutionOfViscoelasticSpheres) {
   EXPECT_EQ(line_of(values, "restitution at the speed 1").substr(0, 6), "0.5970");
 }
 
+TEST(DerivedText, TellsFromWhichSpeedAFixedEnergyIsLost) {
+  const Case values = overridden(
+      cooling_case, {"collision.restitution_law=fixed_loss", "collision.energy_loss=0.16"});
+  EXPECT_EQ(line_of(values, "energy lost above the speed"), "0.8 diameters/time");
+  EXPECT_EQ(line_of(values, "restitution at the speed 1"), "0.6");  // sqrt(1 - 0.64)
+}
+
 TEST(DerivedText, TellsStrainOnlyUnderShear) {
   const Case sheared = overridden(shear_case, {"drive.shear_rate=4", "run.time=10"});
   EXPECT_EQ(line_of(sheared, "time of one strain unit"), "0.25 time");

@@ -80,8 +80,63 @@ TEST(ViscoelasticRestitution, IsTheSameNumberInEveryPrecision) {
   EXPECT_NEAR(static_cast<double>(ViscoelasticRestitution<Digits>(0.25)(0.5)), e, 1e-15);
 }
 
+/// Energy that a collision of two unit masses takes at the speed 2 sqrt(loss) (1 + above), over the
+/// loss, less 1.
+template <class Real>
+double excess_of_the_loss(const Real& loss, const Real& above) {
+  using std::sqrt;
+  const Real v = Real(2 * sqrt(loss)) * (1 + above);
+  const Real e = FixedLossRestitution<Real>(loss)(v);
+  return static_cast<double>(Real((1 - e * e) * v * v / 4 / loss - 1));
+}
+
+/// \param rounding  of the type; (1 - e^2) v^2 amplifies it by v^2/c^2 for e near 1
+template <class Real>
+void expect_the_loss_itself(double rounding) {
+  for (const double loss : {1e-12, 0.25, 0.3, 7e9}) {
+    for (const double above : {1e-9, 1e-3, 0.5, 9.0}) {
+      EXPECT_NEAR(excess_of_the_loss(Real(loss), Real(above)), 0,
+                  8 * rounding * (1 + above) * (1 + above))
+          << loss << ' ' << above;
+    }
+  }
+}
+
+TEST(FixedLossRestitution, TakesTheSameEnergyOfEveryEnergeticCollisionInEveryPrecision) {
+  expect_the_loss_itself<double>(0x1p-52);
+  expect_the_loss_itself<Extended>(0x1p-63);
+  expect_the_loss_itself<Quad>(0x1p-112);
+  expect_the_loss_itself<Digits>(1e-100);
+}
+
+TEST(FixedLossRestitution, IsOneUpToTheThresholdItselfAndAboveItBeginsFromZero) {
+  const FixedLossRestitution<double> restitution(0.25);  // threshold 1
+  EXPECT_EQ(restitution(1e-300), 1);
+  EXPECT_EQ(restitution(0.999), 1);
+  EXPECT_EQ(restitution(1), 1);
+  // v = 1 + 2^-52: e^2 = (v - 1)(v + 1)/v^2 = 2^-51 (1 - 3/2 x 2^-52 ...).
+  EXPECT_NEAR(restitution(std::nextafter(1.0, 2.0)), std::sqrt(0x1p-51), 4e-16 * 0x1p-25);
+}
+
+TEST(FixedLossRestitution, TendsToOneAtHighSpeeds) {
+  const FixedLossRestitution<double> restitution(0.25);
+  EXPECT_DOUBLE_EQ(restitution(1e4), 1 - 0.5e-8);  // 1 - 2 loss/v^2; the next term is 1e-17
+  EXPECT_EQ(restitution(1e200), 1);                // its square is no number
+  EXPECT_EQ(FixedLossRestitution<double>(1e300)(1e160), 1);
+}
+
+TEST(FixedLossRestitution, IsTheSameNumberInEveryPrecision) {
+  const double e = FixedLossRestitution<double>(0.0625)(0.8);  // sqrt(1 - 0.25/0.64)
+  EXPECT_DOUBLE_EQ(e, std::sqrt(0.609375));
+  EXPECT_NEAR(static_cast<double>(FixedLossRestitution<Extended>(0.0625)(0.8)), e, 2e-16);
+  EXPECT_NEAR(static_cast<double>(FixedLossRestitution<Quad>(0.0625)(0.8)), e, 2e-16);
+  EXPECT_NEAR(static_cast<double>(FixedLossRestitution<Digits>(0.0625)(0.8)), e, 2e-16);
+}
+
 TEST(ContactModels, AreOffUnlessOneIsChosen) {
   EXPECT_FALSE(ContactModels<double>{}.is_any());
+  EXPECT_TRUE((ContactModels<double>{.viscoelastic = ViscoelasticRestitution<double>(1)}).is_any());
+  EXPECT_TRUE((ContactModels<double>{.fixed_loss = FixedLossRestitution<double>(1)}).is_any());
   EXPECT_TRUE((ContactModels<double>{.contact_duration = 1e-9}).is_any());
   EXPECT_TRUE((ContactModels<double>{.rotation_angle = 1e-9}).is_any());
 }

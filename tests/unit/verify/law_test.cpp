@@ -44,6 +44,48 @@ TEST(Law, ViscoelasticRestitutionIsThatOfTheLoggedSpeed) {
   EXPECT_EQ(law.restitution(lasting_pair), 1);
 }
 
+Case with_fixed_loss(double loss) {
+  Case values = between_walls();
+  values.collision.restitution_law = RestitutionLaw::fixed_loss;
+  values.collision.energy_loss = loss;
+  return values;
+}
+
+TEST(Law, AFixedLossIsTakenOfEnergeticCollisionsOfSpheresOnly) {
+  const Law law(with_fixed_loss(0.36), 2);                              // of 2^2/4 = 1 in each row
+  EXPECT_NEAR(static_cast<double>(law.restitution(pair)), 0.8, 1e-16);  // sqrt(1 - 0.36)
+  EXPECT_NEAR(static_cast<double>(*law.impulse(pair)), 1.8, 1e-15);
+  EXPECT_EQ(law.loss(pair), 0.36);
+  EXPECT_EQ(law.restitution(bounce), 0.75L);
+  EXPECT_EQ(law.loss(bounce), 0.875);
+  EXPECT_EQ(law.restitution(lasting_pair), 1);
+  EXPECT_EQ(law.loss(lasting_pair), 0);
+  EXPECT_EQ(law.impulse_error(lasting_pair), 0);
+}
+
+TEST(Law, AWeakerCollisionThanTheFixedLossIsElastic) {
+  for (const double loss : {1.0, 1.5}) {
+    const Law law(with_fixed_loss(loss), 2);
+    EXPECT_EQ(law.restitution(pair), 1);
+    EXPECT_EQ(law.impulse(pair), 2);
+    EXPECT_EQ(law.loss(pair), 0);
+  }
+}
+
+// At a speed v = c (1 + d) above the threshold c the spheres part at c sqrt(2 d): the rounding of
+// v, 2^-52 v, becomes 2^-52 v / sqrt(2 d).
+TEST(Law, JustAboveAFixedLossTheRoundingOfTheSpeedGrows) {
+  const Law law(with_fixed_loss(1 - 1e-8), 2);  // d = 5e-9
+  EXPECT_NEAR(static_cast<double>(law.impulse_error(pair)), 0x1p-52 * 2 / 1e-4, 1e-17);
+}
+
+TEST(Law, ASpeedOnTheThresholdOfAFixedLossTellsNoImpulse) {
+  EXPECT_FALSE(Law(with_fixed_loss(std::nextafter(1.0, 0.0)), 2).impulse(pair));
+  EXPECT_FALSE(Law(with_fixed_loss(std::nextafter(1.0, 2.0)), 2).impulse(pair));
+  EXPECT_TRUE(Law(with_fixed_loss(1 - 1e-14), 2).impulse(pair));
+  EXPECT_TRUE(Law(with_fixed_loss(1), 2).impulse(lasting_pair));
+}
+
 TEST(Law, ARotationHidesTheDirectionOfTheImpulseButNotTheLoss) {
   Case values = between_walls();
   values.collision.rotation_angle = 0.5;
