@@ -252,7 +252,7 @@ def draw(results, path):
         panel.set_title(name, fontsize=9)
     panels[0].set_yticks(range(len(ways)), [way.name for way in ways])
     panels[0].invert_yaxis()
-    panels[-1].legend(loc="lower right", frameon=False, fontsize=8)
+    panels[1].legend(loc="lower right", frameon=False, fontsize=8)
     figure.supxlabel("difference from the hot start of the same law (%)", fontsize=9)
     figure.savefig(path, dpi=200)
 
