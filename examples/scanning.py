@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import tempfile
 from decimal import Decimal
 from pathlib import Path
 
@@ -44,8 +45,28 @@ def summary(case, changes, output=None):
     Raises SystemExit with the program's message where it fails.
     """
     kept = ["--overwrite", "-o", str(output)] if output else []
-    done = subprocess.run([program(), "run", EXAMPLES / f"{case}.toml", "--json", "--quiet", *kept,
-                           *overrides(changes)], capture_output=True, text=True)
+    return _told("run", EXAMPLES / f"{case}.toml", *kept, *overrides(changes))
+
+
+def stages(case, changes, key, limits):
+    """Summaries of one run as it reaches one limit after the other; fewer where it ends before.
+
+    key: of the limit, "run.time" or "run.collisions";  limits: ascending
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        output = Path(folder) / "run.h5"
+        summaries = [summary(case, {**changes, key: limits[0]}, output)]
+        for limit in limits[1:]:
+            if summaries[-1]["outcome"] != "finished":
+                break
+            summaries.append(_told("resume", output, *overrides({key: limit})))
+    return summaries
+
+
+def _told(command, path, *words):
+    """The summary that a command of the program prints."""
+    done = subprocess.run([program(), command, path, "--json", "--quiet", *words],
+                          capture_output=True, text=True)
     if done.returncode:
         raise SystemExit(done.stderr)
     return json.loads(done.stdout.splitlines()[-1])
