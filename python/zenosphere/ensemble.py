@@ -4,14 +4,15 @@ import json
 import sqlite3
 import tomllib
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
+from . import findings
 from .errors import InputError
 
-FORMAT_VERSION = 1
+FORMAT_VERSIONS = (1, 2)  # 2 has the columns of [adjudicate]
 CRITERIA = ("separation", "arrest", "false positive", "open")
 CONDITIONS = {  # SQL: the run met it, within :limit collisions per sphere
     "separation": "COALESCE(separation_first_collision * scale <= :limit, 0)",
@@ -49,6 +50,7 @@ class Counts:
     done: np.ndarray
     failed: np.ndarray
     met: dict  # of CRITERIA: done runs that met it
+    findings: dict = field(default_factory=dict)  # of findings.COUNTED; empty without the columns
 
     @property
     def pending(self):
@@ -57,14 +59,19 @@ class Counts:
 
     def at(self, index):
         """The counts of a part: `index` as for a numpy array."""
-        return Counts(self.runs[index], self.done[index], self.failed[index],
-                      {name: array[index] for name, array in self.met.items()})
+        return self.mapped(lambda array: array[index])
+
+    def mapped(self, change):
+        """The counts with each array changed: `change` takes an array and gives another."""
+        return Counts(*(change(array) for array in (self.runs, self.done, self.failed)),
+                      *({name: change(array) for name, array in named.items()}
+                        for named in (self.met, self.findings)))
 
 
 class Ensemble:
     """A store, opened for reading only; a sweep may go on writing it.
 
-    path: of STORE.sqlite, format version 1 (docs/sweep-file.md)
+    path: of STORE.sqlite, one of FORMAT_VERSIONS (docs/sweep-file.md)
     Raises InputError where it is no such store.
     """
 
@@ -83,13 +90,15 @@ class Ensemble:
         """Counts of every point; with a limit, of what happened within so many collisions per
         sphere (the end of a run where it ended earlier)."""
         shape = [len(axis.values) for axis in self.axes]
-        numbers = np.zeros((3 + len(CRITERIA), *shape), dtype=int)
+        conditions = self._conditions()
+        numbers = np.zeros((3 + len(conditions), *shape), dtype=int)
         places = [{value: place for place, value in enumerate(axis.values)} for axis in self.axes]
-        for row in self._grouped(np.inf if limit is None else limit):
+        for row in self._grouped(conditions, np.inf if limit is None else limit):
             point = tuple(where[value] for where, value in zip(places, row))
             numbers[(slice(None), *point)] = row[len(self.axes):]
         runs, done, failed, *met = numbers
-        return Counts(runs, done, failed, dict(zip(CRITERIA, met)))
+        named = dict(zip(conditions, met))
+        return Counts(runs, done, failed, {name: named.pop(name) for name in CRITERIA}, named)
 
     def boundaries(self):
         """Rows of the table `boundary` of an adaptive search as dicts; none for a grid."""
@@ -115,8 +124,9 @@ class Ensemble:
     def _read_plan(self, store):
         version, self.seeds, self.program_version = store.execute(
             "SELECT format_version, seeds, program_version FROM sweep").fetchone()
-        if version != FORMAT_VERSION:
-            raise ValueError(f"format version {version}, this program reads {FORMAT_VERSION}")
+        if version not in FORMAT_VERSIONS:
+            raise ValueError(f"format version {version}, this program reads"
+                             f" {' and '.join(map(str, FORMAT_VERSIONS))}")
         listed = store.execute('SELECT key, "values" FROM axis ORDER BY position').fetchall()
         if not listed:
             raise ValueError("no axis")
@@ -124,6 +134,9 @@ class Ensemble:
                           for key, text in listed)
         self.longest = store.execute("SELECT MAX(collisions_per_sphere) FROM run").fetchone()[0]
         self.rule = self._overlap_rule(store)
+        self.has_findings = bool(store.execute(
+            "SELECT COUNT(*) FROM pragma_table_info('run') WHERE name = ?",
+            (findings.COLUMN,)).fetchone()[0])
 
     def _overlap_rule(self, store):
         """The rule that leaves or keeps the hits; None where it is an axis."""
@@ -132,9 +145,14 @@ class Ensemble:
         case = tomllib.loads(store.execute("SELECT base_case FROM sweep").fetchone()[0])
         return case.get("collision", {}).get("overlap", "rewind")  # the default of a case
 
-    def _grouped(self, limit):
+    def _conditions(self):
+        """Name -> SQL of what is counted among the runs that are done."""
+        return CONDITIONS | (findings.COUNTED if self.has_findings else {})
+
+    def _grouped(self, conditions, limit):
         keys = ", ".join(quoted(axis.key) for axis in self.axes)
-        sums = ", ".join(f"SUM(result = 'done' AND {CONDITIONS[name]})" for name in CRITERIA)
+        sums = ", ".join(f"SUM(result = 'done' AND COALESCE({condition}, 0))"
+                         for condition in conditions.values())
         with closing(self._opened()) as store:
             yield from store.execute(
                 f"SELECT {keys}, COUNT(*), SUM(result = 'done'), SUM(result = 'failed'), {sums}"

@@ -8,13 +8,16 @@ from matplotlib.lines import Line2D
 from . import ensemble_panels as panels
 from . import words
 from .ensemble import CRITERIA
+from .ensemble_maps import finding_maps, probability_maps
+from .ensemble_panels import DOTS_PER_INCH
 from .ensemble_slices import chosen_parts, slices
 from .ensemble_table import crossing_rows, crossings_along, probability_rows, write_csv
 from .errors import OutputError
+from .findings import finding_rows
 from .panels import STYLE
 
 LENGTHS = 9  # run lengths of the figure, a factor of two apart
-DOTS_PER_INCH = 200
+WIDTH = 7.0  # inches
 
 
 def draw_ensemble(ensemble, folder, x=None, y=None):
@@ -30,10 +33,11 @@ def draw_ensemble(ensemble, folder, x=None, y=None):
     written = [
         write_csv(folder / "probabilities.csv", probability_rows(ensemble, counts)),
         write_csv(folder / "boundaries.csv", crossing_rows(ensemble, counts, parts.x))]
+    if ensemble.has_findings:
+        written.append(write_csv(folder / "findings.csv", finding_rows(ensemble, counts)))
     for number, part in enumerate(slices(ensemble, parts)):
         suffix = f"-{number + 1}" if parts.rest else ""
-        for name, draw in (("probability", _probabilities), ("map", _maps),
-                           ("boundary", _boundaries), ("run-length", _run_lengths)):
+        for name, draw in FIGURES.items():
             with matplotlib.rc_context(STYLE):
                 figure = draw(part)
                 written += saved(figure, folder / f"{name}{suffix}.png") if figure else []
@@ -56,31 +60,11 @@ def _probabilities(part):
             panels.probability(axes, x, met[:, column, number],
                                part.counts.done[:, column, number], style, shift)
         axes.set_xlim(x.min() - 4 * step, x.max() + 4 * step)
-        outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
+        panels.outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
                       "P: " + panels.TITLES[CRITERIA[row]].replace(" ", "\n", 1))
         if row == 0 and y_key:
             axes.set_title(panels.said(y_key, columns[column]), fontsize=9)
     _legend(grid[0, 0], part, "series")
-    return figure
-
-
-def _maps(part):
-    """P over x and y: a column for each criterion, a row for each third key; none without y."""
-    (x_key, x), (y_key, y), (row_key, rows) = (part.axis(name) for name in ("x", "y", "series"))
-    if y_key is None:
-        return None
-    size = 0.33 * len(x) + 0.4, 0.27 * len(y) + 0.35
-    figure, grid = figure_grid(_heading(part), len(rows), len(CRITERIA), size)
-    for (row, column), axes in np.ndenumerate(grid):
-        counts = part.counts
-        image = panels.probability_map(axes, x, y, counts.met[CRITERIA[column]][:, :, row],
-                                       counts.done[:, :, row], counts.runs[:, :, row])
-        name = panels.symbol(y_key)
-        outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
-                      f"{panels.said(row_key, rows[row])}\n{name}" if row_key else name)
-        if row == 0:
-            axes.set_title(panels.TITLES[CRITERIA[column]], fontsize=9)
-    figure.colorbar(image, ax=grid, label="fraction of the runs", shrink=0.6)
     return figure
 
 
@@ -103,7 +87,7 @@ def _boundaries(part):
             panels.boundary(axes, values, table[:, number], style, span, shift)
         if _is_geometric(values):
             _log_scale(axes, values)
-        outer_labels(axes, grid.shape, (row, column), panels.label(key),
+        panels.outer_labels(axes, grid.shape, (row, column), panels.label(key),
                       f"{panels.symbol(x_key)} where P = 1/2:\n{panels.TITLES[name]}")
         if row == 0:
             _legend(axes, part, other)
@@ -134,6 +118,21 @@ def _run_lengths(part):
     return figure
 
 
+def _maps(part):
+    return probability_maps(part, _heading(part, remark=""), WIDTH)
+
+
+def _findings(part):
+    """What the first groups of hits were; None without findings or without a hit."""
+    if not part.counts.findings or not part.counts.findings["hit"].any():
+        return None
+    return finding_maps(part, _findings_heading(part), WIDTH)
+
+
+FIGURES = {"probability": _probabilities, "map": _maps, "findings": _findings,
+           "boundary": _boundaries, "run-length": _run_lengths}
+
+
 def crossings_of(part):
     """For both criteria, an array of Crossing over (y, series)."""
     return crossings_along(part.axis("x")[1], part.counts, 0)
@@ -162,32 +161,33 @@ def figure_grid(heading, rows, columns, size, **sharing):
     return figure, grid
 
 
-def _heading(part):
+def _heading(part, remark="; bars: 95 %"):
     """How many runs are shown, by which overlap rule they left their hits, what is incomplete."""
     counts, most = part.counts, int(part.counts.done.max())
     runs, done, failed, pending = (int(getattr(counts, name).sum())
                                    for name in ("runs", "done", "failed", "pending"))
     least = int(counts.done.min())
     text = (f"{words.grouped(done)} runs, {least if least == most else f'{least} to {most}'} a"
-            " point; bars: 95 %")
+            f" point{remark}")
     if part.ensemble.rule:
         text += f"; overlap rule {part.ensemble.rule}"
     if done < runs:
         text += f"; incomplete: {pending} pending, {failed} failed of {runs} (maps: hatched)"
+    return _at_others(part, text)
+
+
+def _findings_heading(part):
+    """How many of the runs had hits, and of how many it is known what they were."""
+    found = {name: int(array.sum()) for name, array in part.counts.findings.items()}
+    text = (f"{words.grouped(int(part.counts.done.sum()))} runs, {words.grouped(found['hit'])} with"
+            f" hits, {words.grouped(found['hit'] - found['not adjudicated'])} of them adjudicated;"
+            " height of a colour: share of the runs\nwhose first group of hits was found to be ...")
+    return _at_others(part, text)
+
+
+def _at_others(part, text):
     others = ", ".join(panels.said(key, value) for key, value in part.others)
     return (f"{others}: {text}" if others else text).replace(words.SPACE, " ")
-
-
-def outer_labels(axes, shape, place, x_label, y_label):
-    """Labels and numbers at the left and bottom of the grid only."""
-    if place[0] == shape[0] - 1:
-        axes.set_xlabel(x_label)
-    else:
-        axes.tick_params(labelbottom=False)
-    if place[1] == 0:
-        axes.set_ylabel(y_label, fontsize=9)
-    else:
-        axes.tick_params(labelleft=False)
 
 
 def _legend(axes, part, name):

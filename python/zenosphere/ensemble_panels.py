@@ -8,6 +8,7 @@ from .proportions import fraction, wilson_interval
 # Okabe & Ito's palette; with the markers, distinct to every kind of colour vision and in grey.
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#1b2a41")
 MARKERS = "osD^vPX"
+DOTS_PER_INCH = 200
 MAP = "cividis"  # even in lightness for every kind of colour vision
 NAMES = {
     "system.restitution": ("$e$", "Restitution $e$"),
@@ -60,27 +61,16 @@ def _bars(p, low, high):
     return np.maximum([p - low, high - p], 0)
 
 
-def probability_map(axes, x, y, met, done, runs):
-    """P as colour over x and y; a cell whose runs are not all done is hatched, one without is grey.
-
-    x: axis of the columns (K values), y: of the rows (M);  met, done, runs: (K, M) counts
-    Returns the image for a colour bar.
-    """
-    p = np.ma.masked_invalid(fraction(met, done).T)
-    axes.set_facecolor("#d9d9d9")
-    image = axes.pcolormesh(np.arange(len(x) + 1), np.arange(len(y) + 1), p, cmap=MAP, vmin=0,
-                            vmax=1, edgecolors="white", linewidth=0.6)
-    for row, column in np.ndindex(p.shape):
-        if done.T[row, column] < runs.T[row, column]:
-            axes.fill_between([column, column + 1], row, row + 1, facecolor="none",
-                              edgecolor="#d55e00", hatch="///", linewidth=0)
-        if done.T[row, column]:
-            axes.text(column + 0.5, row + 0.5, f"{p[row, column]:.2g}", ha="center", va="center",
-                      fontsize=6.5, color="white" if p[row, column] < 0.55 else "black")
-    axes.set_xticks(np.arange(len(x)) + 0.5, [words.short(value) for value in x])
-    axes.set_yticks(np.arange(len(y)) + 0.5, [words.short(value) for value in y])
-    axes.tick_params(length=0)
-    return image
+def outer_labels(axes, shape, place, x_label, y_label):
+    """Labels and numbers at the left and bottom of the grid only."""
+    if place[0] == shape[0] - 1:
+        axes.set_xlabel(x_label)
+    else:
+        axes.tick_params(labelbottom=False)
+    if place[1] == 0:
+        axes.set_ylabel(y_label, fontsize=9)
+    else:
+        axes.tick_params(labelleft=False)
 
 
 def boundary(axes, values, crossings, style, span, shift=1.0):

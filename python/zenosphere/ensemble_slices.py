@@ -99,5 +99,4 @@ def _arranged(counts, order):
     def arranged(array):
         moved = np.transpose(array, order)
         return moved.reshape(moved.shape + (1,) * (3 - moved.ndim))
-    return Counts(arranged(counts.runs), arranged(counts.done), arranged(counts.failed),
-                  {name: arranged(array) for name, array in counts.met.items()})
+    return counts.mapped(arranged)

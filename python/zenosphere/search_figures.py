@@ -5,7 +5,7 @@ import numpy as np
 
 from . import ensemble_panels as panels
 from .crossing import Crossing
-from .ensemble_figures import figure_grid, made_folder, outer_labels, saved, series_legend
+from .ensemble_figures import figure_grid, made_folder, saved, series_legend
 from .ensemble_table import write_csv
 from .panels import STYLE
 
@@ -49,7 +49,7 @@ def _searches(ensemble, rows):
             axes.axhspan(*ends, color=panels.COLOURS[4], alpha=0.35, linewidth=0)
         axes.set_title(", ".join(panels.said(each, row[each]) for each in _others(row))
                        + f" ({row['finding']})", fontsize=7.5)
-        outer_labels(axes, grid.shape, place, "Run", panels.label(key))
+        panels.outer_labels(axes, grid.shape, place, "Run", panels.label(key))
     return figure
 
 

@@ -10,13 +10,16 @@ COLUMNS = """run INTEGER PRIMARY KEY, point INTEGER, replica INTEGER, seed INTEG
  separation_first_collision INTEGER, separation_first_time REAL,
  separation_last_collision INTEGER, arrest_met INTEGER, arrest_collision INTEGER,
  arrest_time REAL, wall_seconds REAL, program_version TEXT"""
+FINDING = "adjudication_finding TEXT, adjudication_first_finding TEXT"
 
 
-def write_store(path, axes, outcome, seeds=10, spheres=100):
+def write_store(path, axes, outcome, seeds=10, spheres=100, adjudicated=False):
     """Writes a store and returns its path.
 
     axes: {key: values};  outcome: (values of the point as dict, replica) -> (first hit, arrest) in
     collisions per sphere, each None where it did not happen; or "pending"; or "failed"
+    adjudicated: an outcome has a third value, the finding of the first group of hits, None where
+    it is not known; a fourth, if any, is the verdict
     """
     with sqlite3.connect(path) as store:
         store.execute("CREATE TABLE sweep (format_version INTEGER, sweep_file TEXT,"
@@ -26,7 +29,8 @@ def write_store(path, axes, outcome, seeds=10, spheres=100):
         store.executemany("INSERT INTO axis VALUES (?, ?, ?)", (
             (place, key, json.dumps(list(values))) for place, (key, values) in
             enumerate(axes.items())))
-        store.execute(f"CREATE TABLE run ({COLUMNS.format(axes=_declared(axes))})")
+        columns = COLUMNS.format(axes=_declared(axes)) + (f", {FINDING}" if adjudicated else "")
+        store.execute(f"CREATE TABLE run ({columns})")
         points = list(itertools.product(*axes.values()))
         for run, (replica, (point, values)) in enumerate(
                 itertools.product(range(seeds), enumerate(points))):
@@ -48,13 +52,15 @@ def _came_to(outcome, spheres, length=500):
     """Columns of a run that ends at its arrest or after `length` collisions per sphere."""
     if isinstance(outcome, str):
         return {"status": outcome, "error": "start" if outcome == "failed" else None}
-    hit, arrest = (None if moment is None else round(moment * spheres / 2) for moment in outcome)
+    hit, arrest = (None if moment is None else round(moment * spheres / 2)
+                   for moment in outcome[:2])
     collisions = length * spheres // 2 if arrest is None else arrest
-    return {"status": "done", "collisions": collisions,
-            "collisions_per_sphere": 2 * collisions / spheres, "separation_hits": int(hit or 0),
-            "separation_first_collision": hit, "arrest_met": int(arrest is not None),
-            "arrest_collision": arrest,
-            "verdict": "true" if arrest else "none" if hit is None else "open"}
+    verdict = "true" if arrest else "none" if hit is None else "open"
+    row = {"status": "done", "collisions": collisions,
+           "collisions_per_sphere": 2 * collisions / spheres, "separation_hits": int(hit or 0),
+           "separation_first_collision": hit, "arrest_met": int(arrest is not None),
+           "arrest_collision": arrest, "verdict": (*outcome[3:], verdict)[0]}
+    return row | ({"adjudication_first_finding": outcome[2]} if len(outcome) > 2 else {})
 
 
 def write_search(path, findings, axis="system.restitution", other="system.solids_volume_fraction"):

@@ -1,0 +1,203 @@
+"""Draws maps of an ensemble over x and y: the probability of each criterion, and the findings."""
+
+import textwrap
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from . import ensemble_panels as panels
+from . import words
+from .ensemble import CRITERIA
+from .ensemble_panels import DOTS_PER_INCH
+from .proportions import fraction
+
+CELL_HEIGHT, LEAST_CELL = 0.27, 0.17  # inches: two decimals in 6 points are as wide
+MARGIN, LEGEND = 0.8, 1.05  # inches: labels on the left, legend below
+TICK_SIZE, TITLE_SIZE, LARGEST_NUMBER = 8, 9, 7  # points
+GLYPH = 0.5  # mean width of a letter over the font size
+FRAME = 0.03  # of a cell, around a bar
+NO_RUN, NOT_DONE = "#d9d9d9", "#d55e00"
+
+# Okabe & Ito's palette; blue, darker the more the run shows of it, is a collapse of the spheres.
+FINDINGS = {
+    "real, arrested": ("#003a5d", "singular or proven, and the run arrested"),
+    "real, open": ("#0072b2", "singular or proven, hit to the end of the run"),
+    "real, went on": ("#7cc4ee", "singular or proven, dissolved by rounding: the run went on"),
+    "near-collapse": ("#f0b400", "near-collapse"),
+    "arithmetic arrest": ("#d55e00", "arithmetic arrest"),
+    "chance or exact": ("#009e73", "chance close pair or exact contact"),
+    "undecided": ("#8c8c8c", "undecided"),
+    "not adjudicated": ("white", "hit, not adjudicated"),
+}
+HATCHED = {"not adjudicated": "//////"}
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Panels in rows and columns, and the size of one of their cells (inches)."""
+
+    width: float  # of the figure
+    rows: int
+    columns: int
+    cell: float  # width
+    panel_height: float
+
+    @property
+    def shape(self):
+        """(rows, columns)."""
+        return self.rows, self.columns
+
+    @property
+    def height(self):
+        """Of the figure, without a legend or a colour bar."""
+        return self.rows * (self.panel_height + 0.45) + 0.8
+
+
+def layout(part, width, panel_count, candidates):
+    """The most columns of the candidates (descending) at which a cell holds a number, else the
+    fewest."""
+    def cell(columns):
+        return ((width - MARGIN) / columns - 0.1) / len(part.axis("x")[1])
+    columns = next((each for each in candidates if cell(each) >= LEAST_CELL), candidates[-1])
+    height = max(CELL_HEIGHT * len(part.axis("y")[1]), 0.9)
+    return Layout(width, -(-panel_count // columns), columns, cell(columns), height)
+
+
+def probability_maps(part, heading, width):
+    """Figure of P over x and y: a panel for each criterion and third key; None without y.
+
+    part: Slice;  width: inches
+    """
+    if part.axis("y")[0] is None:
+        return None
+    row_key, rows = part.axis("series")
+    plan = layout(part, width, len(rows) * len(CRITERIA), (4, 2, 1))
+    figure = Figure(figsize=(width, plan.height + 0.5), dpi=DOTS_PER_INCH, layout="constrained")
+    grid = figure.subplots(*plan.shape, squeeze=False)
+    figure.suptitle(heading, fontsize=TITLE_SIZE, x=0.01, ha="left")
+    kinds = [(row, name) for row in range(len(rows)) for name in CRITERIA]
+    for (place, axes), (row, name) in zip(np.ndenumerate(grid), kinds):
+        image = _probabilities(axes, part.counts, name, row, plan.cell)
+        _label(axes, part, place, plan, f"{panels.said(row_key, rows[row])}\n" if row_key else "")
+        if place[0] == 0 or plan.columns < len(CRITERIA):
+            _title(axes, panels.TITLES[name], plan.cell * len(part.axis("x")[1]))
+    figure.colorbar(image, ax=grid, label="fraction of the runs", location="bottom", shrink=0.5,
+                    aspect=30, pad=0.1 / plan.height)
+    return figure
+
+
+def finding_maps(part, heading, width):
+    """Figure of what the first group of hits was, as shares of the runs that are done, stacked.
+
+    part: Slice with findings;  width: inches.  A panel for each third key
+    """
+    row_key, rows = part.axis("series")
+    most = -(-len(rows) // -(-len(rows) // 3))  # up to three side by side, evenly
+    plan = layout(part, width, len(rows), range(most, 0, -1))
+    whole = Figure(figsize=(width, plan.height + LEGEND), dpi=DOTS_PER_INCH, layout="constrained")
+    above, below = whole.subfigures(2, 1, height_ratios=(plan.height, LEGEND))
+    grid = above.subplots(*plan.shape, squeeze=False)
+    above.suptitle(heading, fontsize=TITLE_SIZE, x=0.01, ha="left")
+    for number, (place, axes) in enumerate(np.ndenumerate(grid)):
+        if number >= len(rows):
+            axes.set_axis_off()
+            continue
+        _stacks(axes, part.counts, number, FRAME if part.axis("y")[0] else 0)
+        is_lowest = number + plan.columns >= len(rows)
+        _label(axes, part, (plan.rows - 1 if is_lowest else 0, place[1]), plan, "")
+        if row_key:
+            axes.set_title(panels.said(row_key, rows[number]), fontsize=TITLE_SIZE)
+    below.legend(handles=_findings_legend(part.counts), loc="center", ncol=2, fontsize=TICK_SIZE)
+    return whole
+
+
+def _probabilities(axes, counts, name, row, cell):
+    """P as colour; a cell whose runs are not all done is hatched, one without is grey.
+
+    Returns the image for a colour bar.
+    """
+    met, done, runs = (array[:, :, row].T for array in (counts.met[name], counts.done, counts.runs))
+    p = np.ma.masked_invalid(fraction(met, done))
+    axes.set_facecolor(NO_RUN)
+    image = axes.pcolormesh(*(np.arange(count + 1) for count in reversed(p.shape)), p,
+                            cmap=panels.MAP, vmin=0, vmax=1, edgecolors="white", linewidth=0.6)
+    for place in np.argwhere(done < runs):
+        _hatch(axes, place, NOT_DONE)
+    size = min(LARGEST_NUMBER, cell * 72 / (4 * GLYPH))  # points
+    for place in np.argwhere(done > 0) if cell >= LEAST_CELL else ():
+        value = p[tuple(place)]
+        axes.text(place[1] + 0.5, place[0] + 0.5, short_fraction(value), ha="center",
+                  va="center", fontsize=size, color="white" if value < 0.55 else "black")
+    return image
+
+
+def _stacks(axes, counts, row, frame):
+    """A bar in each cell: from below, the share of each kind; white above it are runs without.
+
+    frame: free above and below, of the cell
+    """
+    done = counts.done[:, :, row]
+    x, y = np.nonzero(done)
+    axes.set_facecolor(NO_RUN)
+    full, breadth = 1 - 2 * frame, 1 - 2 * FRAME
+    axes.bar(x + 0.5, full, breadth, y + frame, color="white")
+    bottom = y + frame
+    for name, (colour, _) in FINDINGS.items():
+        share = full * counts.findings[name][x, y, row] / done[x, y]
+        some = share > 0
+        axes.bar(x[some] + 0.5, share[some], breadth, bottom[some], color=colour, linewidth=0,
+                 hatch=HATCHED.get(name), edgecolor="0.55")
+        bottom = bottom + share
+    for place in np.argwhere(counts.done[:, :, row] < counts.runs[:, :, row]):
+        _hatch(axes, place[::-1], "0.8")
+    axes.set_xlim(0, done.shape[0])
+    axes.set_ylim(0, done.shape[1])
+
+
+def _hatch(axes, place, colour):
+    row, column = place
+    axes.fill_between([column, column + 1], row, row + 1, facecolor="none", edgecolor=colour,
+                      hatch="///", linewidth=0)
+
+
+def _findings_legend(counts):
+    """Patches of the kinds that occur; no hit and no run last."""
+    shown = [Patch(facecolor=colour, label=text, hatch=HATCHED.get(name), edgecolor="0.55",
+                   linewidth=0.5)
+             for name, (colour, text) in FINDINGS.items() if counts.findings[name].any()]
+    shown.append(Patch(facecolor="white", edgecolor="0.55", linewidth=0.5, label="no hit"))
+    if not counts.done.all():
+        shown.append(Patch(facecolor=NO_RUN, label="no run done"))
+    return shown
+
+
+def _label(axes, part, place, plan, name):
+    """Ticks at the cells, those that fit; names and numbers on the left and at the bottom only."""
+    (x_key, x), (y_key, y) = part.axis("x"), part.axis("y")
+    every = _stride(x, plan.cell)
+    axes.set_xticks(np.arange(0, len(x), every) + 0.5, [words.short(each) for each in x[::every]])
+    if y_key:
+        axes.set_yticks(np.arange(len(y)) + 0.5, [words.short(each) for each in y])
+    axes.tick_params(length=0, labelsize=TICK_SIZE)
+    panels.outer_labels(axes, plan.shape, place, panels.label(x_key),
+                        name + panels.symbol(y_key) if y_key else "share of the runs")
+
+
+def _stride(values, cell):
+    """Every how many cells a number fits; cell: inches."""
+    widest = max(len(words.short(value)) for value in values) + 0.5
+    return max(1, int(np.ceil(widest * GLYPH * TICK_SIZE / 72 / cell)))
+
+
+def _title(axes, text, width):
+    """A title in as many lines as the panel's width (inches) asks for."""
+    letters = max(int(width * 72 / (GLYPH * TITLE_SIZE)), 8)
+    axes.set_title("\n".join(textwrap.wrap(text, letters)), fontsize=TITLE_SIZE)
+
+
+def short_fraction(value):
+    """A fraction in two decimals; 0 and 1 are exactly so."""
+    text = f"{value:.2f}".rstrip("0").rstrip(".")
+    return {"0": ">0", "1": "<1"}[text] if text in ("0", "1") and value != int(text) else text
