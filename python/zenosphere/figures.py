@@ -33,8 +33,8 @@ TRUE_COLLAPSE = (
                "Separation of the next pair, up to the arrest."),
     FigurePlan("figure-5", panels.time, windows.to_arrest,
                "Dimensionless time against collisions, up to the arrest."),
-    FigurePlan("figure-6", panels.separation, windows.around_arrest,
-               "Separation of the next pair around the arrest."),
+    FigurePlan("figure-6", panels.separation, windows.into_arrest,
+               "Separation of the next pair in the passage into the arrest."),
 )
 
 ANY_RUN = (

@@ -11,6 +11,7 @@ from .run_file import HIT
 
 # The paper: the criterion is met after fewer than ten collisions per particle.
 EARLY_PER_SPHERE = 10
+PASSAGE = 400  # collisions before and after the hits become continuous
 
 
 def whole(run):
@@ -39,22 +40,23 @@ def to_arrest(run):
     return _from_start(run, end) if end else whole(run)
 
 
-def around_arrest(run):
-    """The arrest and as much before it as the separation takes to stay imprecise.
+def into_arrest(run):
+    """The passage into the arrest: some hundred collisions on either side of where only hits are
+    left, fewer where the run began not long before.
 
     Without an arrest, a tenth of the run on either side of the last hit; without a hit, the end.
     """
     first, last = whole(run)
     if run.arrest["met"]:
-        arrest, settled = run.arrest["collision"], run_of_hits_begins(run)
-        span = max(arrest - settled, 100)
-        return max(first, settled - span), min(last, arrest + span // 5)
-    centre = run.separation["last_collision"] or last
-    half = max((last - first) // 10, 1)
+        centre = run_of_hits_begins(run)
+        half = min(PASSAGE, max((centre - first) // 2, 1))
+    else:
+        centre = run.separation["last_collision"] or last
+        half = max((last - first) // 10, 1)
     return max(first, centre - half), min(last, centre + half)
 
 
-def pairs_change(run, half=400):
+def pairs_change(run, half=PASSAGE):
     """A few hundred collisions about the beginning of the arrest, the last hit, or the end."""
     first, last = whole(run)
     settled = run_of_hits_begins(run) if run.arrest["met"] else None

@@ -46,8 +46,16 @@ def test_arrest_begins_after_the_last_precise_separation(arrested):
     assert windows.run_of_hits_begins(arrested) == 601
 
 
-def test_window_around_arrest_shows_as_much_before_as_within(arrested):
-    assert windows.around_arrest(arrested) == (402, 839)  # 601 - 199, 800 + 199 // 5
+def test_passage_into_the_arrest_is_half_of_what_was_before_and_as_much_after(arrested):
+    assert windows.into_arrest(arrested) == (301, 901)  # 601 -+ 300
+
+
+def test_passage_into_a_late_arrest_is_400_collisions_before_and_after(written):
+    gap = np.full(20000, 1e-4)
+    gap[5000:] = 0  # from collision 5001 on
+    with RunFile(written(gap=gap, arrest=20000, window=15000)) as run:
+        assert windows.into_arrest(run) == (4601, 5401)
+        assert windows.to_arrest(run) == (1, 20000)
 
 
 def test_window_to_arrest_goes_a_tenth_beyond(arrested):
@@ -56,11 +64,11 @@ def test_window_to_arrest_goes_a_tenth_beyond(arrested):
 
 def test_without_arrest_figure_windows_stay_within_the_log(temporary):
     assert windows.to_arrest(temporary) == (1, 100000)
-    assert windows.around_arrest(temporary) == (1, 14999)  # 5000 + 99 999 // 10
+    assert windows.into_arrest(temporary) == (1, 14999)  # 5000 + 99 999 // 10
 
 
 def test_every_window_of_a_one_collision_log_is_that_collision(written):
     with RunFile(written(gap=[1e-3])) as run:
         for window in (windows.whole, windows.early, windows.long, windows.temporary_stage,
-                       windows.to_arrest, windows.around_arrest, windows.pairs_change):
+                       windows.to_arrest, windows.into_arrest, windows.pairs_change):
             assert window(run) == (1, 1)
