@@ -1,11 +1,16 @@
-"""Runs cases of this folder with some keys changed: what the scan scripts share."""
+"""Runs cases of this folder with some keys changed, and draws: what the scan scripts share."""
 
 import json
 import os
 import subprocess
+import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parent
+sys.path.append(str(EXAMPLES.parent / "python"))
+
+from zenosphere.pictures import HEIGHT, WIDTH, Pictures  # noqa: E402
 
 
 def program():
@@ -41,3 +46,17 @@ def summary(case, changes, output=None):
     if done.returncode:
         raise SystemExit(done.stderr)
     return json.loads(done.stdout.splitlines()[-1])
+
+
+@contextmanager
+def drawn(path):
+    """Axes to draw on in the look of all figures, which are then written to a file.
+
+    path: its suffix tells the format, .png, .pdf or .svg
+    """
+    from matplotlib.figure import Figure
+    pictures, path = Pictures((Path(path).suffix[1:],)), Path(path)
+    with pictures.style():
+        figure = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
+        yield figure.add_subplot()
+        pictures.write(figure, path.with_suffix(""))

@@ -17,6 +17,7 @@ import scan_shear as shear  # noqa: E402
 import scan_three_balls as balls  # noqa: E402
 import scan_triple as triple  # noqa: E402
 import scanning  # noqa: E402
+from zenosphere.pictures import STYLE  # noqa: E402
 
 
 def test_overrides_are_written_as_toml():
@@ -139,3 +140,12 @@ def test_least_chain_is_three_rods_below_the_threshold_of_three_rods():
 
 def test_run_without_a_hit_has_a_row_of_dashes():
     assert anatomy.cells(0.9, 1, None) == ["0.9", "1", "no hit"] + ["–"] * 9
+
+
+def test_scans_draw_in_the_typeface_of_the_other_figures(tmp_path):
+    with scanning.drawn(tmp_path / "scan.svg") as axes:
+        axes.set(xlabel="restitution $e$")
+        assert axes.xaxis.label.get_fontname() == STYLE["font.family"]
+    assert "<svg" in (tmp_path / "scan.svg").read_text(encoding="utf-8")
+    for script in EXAMPLES.glob("scan_*.py"):
+        assert "import Figure" not in script.read_text(encoding="utf-8")
