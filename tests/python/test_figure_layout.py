@@ -33,13 +33,17 @@ def map_of(part, pictures=Pictures()):
     return figure
 
 
-@pytest.mark.parametrize("axes", [
-    {"system.restitution": (0.1, 0.5), "system.spheres": (100, 200, 400)},
-    {"system.restitution": RESTITUTIONS, "system.solids_volume_fraction": (0.1, 0.2),
-     "system.spheres": (100, 200)}], ids=["2 e x 3 N", "13 e x 2 phi x 2 N"])
-def test_texts_of_a_map_lie_apart_on_1400_pixels(tmp_path, axes):
-    figure = map_of(part_of(tmp_path, axes))
-    assert figure.get_figwidth() * 200 == 1400
+SMALL = {"system.restitution": (0.1, 0.5), "system.spheres": (100, 200, 400)}
+PLANE = {"system.restitution": RESTITUTIONS, "system.solids_volume_fraction": (0.1, 0.2),
+         "system.spheres": (100, 200)}
+
+
+@pytest.mark.parametrize("axes, size, width", [
+    (SMALL, None, 1400), (SMALL, (3.4, 3.0), 680), (PLANE, None, 1400)],
+    ids=["2 e x 3 N", "2 e x 3 N in a column", "13 e x 2 phi x 2 N"])
+def test_texts_of_a_map_lie_apart_in_its_width(tmp_path, axes, size, width):
+    figure = map_of(part_of(tmp_path, axes), Pictures(size=size))
+    assert figure.get_figwidth() * 200 == width  # pixels
     boxes = [axes.title.get_window_extent() for axes in figure.axes if axes.title.get_text()]
     boxes += [text.get_window_extent() for axes in figure.axes for text in axes.texts]
     for one, other in itertools.combinations(boxes, 2):
