@@ -74,7 +74,7 @@ VISCOELASTIC = {"collision.restitution_law": "viscoelastic",
                 "collision.viscoelastic_constant": viscoelastic_constant()}
 # The share that a fixed loss takes, x exp(-x) with x = loss / T, is largest where x = 1: 0.37, less
 # than the 0.64 of e = 0.6. With this loss the flow comes to that, as it settles at T = 0.5.
-FIXED_LOSS = {"collision.restitution_law": "fixed_loss", "collision.energy_loss": 0.5}
+FIXED_LOSS = {"collision.restitution_law": "fixed-loss", "collision.energy_loss": 0.5}
 
 
 @dataclass(frozen=True)
@@ -229,32 +229,36 @@ def show(spheres, by_way, blocks, strains):
     print("| error from blocks / from seeds | " + " | ".join(f"{r:.2f}" for r in ratios) + " |")
 
 
+SHOWN = ("T_yy", "P_yy", "-P_xy", "omega")
+
+
 def draw(results, path):
     """Differences from the hot start in percent, one row a way, one panel a quantity."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(7.2, 4.2), layout="constrained")
-    shown = ("T_yy", "P_yy", "-P_xy", "omega")
-    panels = figure.subplots(1, len(shown), sharey=True)
     ways = [way for way in WAYS if way.name != way.control and any(
         "blocks" in run for by_way in results.values() for run in by_way.get(way.name, []))]
-    for panel, name in zip(panels, shown):
-        for (spheres, by_way), style, shift in zip(results.items(), "os^", (-.15, .15, 0)):
-            for place, way in enumerate(ways):
-                if not {way.name, way.control} <= by_way.keys():
-                    continue
-                ours, theirs = (values(by_way[each], name) for each in (way.name, way.control))
-                error = np.hypot(averages.error_of_mean(ours), averages.error_of_mean(theirs))
-                panel.errorbar(100 * (ours.mean() / theirs.mean() - 1), place + shift, fmt=style,
-                               xerr=100 * error / theirs.mean(), color=f"C{'os^'.index(style)}",
-                               markersize=4, capsize=2,
-                               label=f"N = {spheres}" if way.name == "rewind" else None)
-        panel.axvline(0, color="0.7", linewidth=0.6, zorder=0)
-        panel.set_title(name, fontsize=9)
-    panels[0].set_yticks(range(len(ways)), [way.name for way in ways])
-    panels[0].invert_yaxis()
-    panels[1].legend(loc="lower right", frameon=False, fontsize=8)
-    figure.supxlabel("difference from the hot start of the same law (%)", fontsize=9)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path, size=(7.2, 4.2), columns=len(SHOWN)) as panels:
+        for panel, name in zip(panels, SHOWN):
+            draw_panel(panel, name, ways, results)
+        panels[0].set_yticks(range(len(ways)), [way.name for way in ways])
+        panels[0].invert_yaxis()
+        panels[1].legend(loc="lower right", frameon=False, fontsize=8)
+        panels[0].figure.supxlabel("difference from the hot start of the same law (%)", fontsize=9)
+
+
+def draw_panel(panel, name, ways, results):
+    """One quantity: a point with its error for each way and number of spheres."""
+    for (spheres, by_way), style, shift in zip(results.items(), "os^", (-.15, .15, 0)):
+        for place, way in enumerate(ways):
+            if not {way.name, way.control} <= by_way.keys():
+                continue
+            ours, theirs = (values(by_way[each], name) for each in (way.name, way.control))
+            error = np.hypot(averages.error_of_mean(ours), averages.error_of_mean(theirs))
+            panel.errorbar(100 * (ours.mean() / theirs.mean() - 1), place + shift, fmt=style,
+                           xerr=100 * error / theirs.mean(), color=f"C{'os^'.index(style)}",
+                           markersize=4, capsize=2,
+                           label=f"N = {spheres}" if way.name == "rewind" else None)
+    panel.axvline(0, color="0.7", linewidth=0.6, zorder=0)
+    panel.set_title(name, fontsize=9)
 
 
 def arguments():

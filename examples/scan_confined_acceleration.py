@@ -54,16 +54,13 @@ def folded(places, bins=25):
 
 def draw(densities, path):
     """Density of places at the shortest interval."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-    axes = figure.add_subplot()
-    for (restitution, (distance, density)), marker in zip(densities.items(), "osv^D"):
-        axes.plot(distance, density, marker, linestyle="-", linewidth=0.8, markersize=3,
-                  label=f"e = {restitution}")
-    axes.set(xlabel="distance from the nearer wall / L", ylabel="density of places x L",
-             ylim=(0, None))
-    axes.legend(frameon=False)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path) as axes:
+        for (restitution, (distance, density)), marker in zip(densities.items(), "osv^D"):
+            axes.plot(distance, density, marker, linestyle="-", linewidth=0.8, markersize=3,
+                      label=f"e = {restitution}")
+        axes.set(xlabel="distance from the nearer wall / L", ylabel="density of places x L",
+                 ylim=(0, None))
+        axes.legend(frameon=False)
 
 
 def main():

@@ -54,24 +54,21 @@ def row(duration, runs):
 
 def draw(scans, path):
     """T and collision rate against the duration, relative to their values at 1e-4."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-    axes = figure.add_subplot()
-    for name, label, style in (("granular_temperature", "granular temperature", "o-"),
-                               ("gradient_temperature", "its gradient component", "d-."),
-                               ("collision_rate", "collision rate", "s--"),
-                               ("shear_stress", "shear stress", "^:")):
-        known = {duration: mean_and_error([measured(run)[name] for run in runs])
-                 for duration, runs in scans.items() if duration > 0}
-        reference = known[1e-4][0]
-        axes.errorbar(list(known), [mean / reference for mean, _ in known.values()],
-                      yerr=[error / reference for _, error in known.values()], fmt=style,
-                      markersize=4, linewidth=1, capsize=2, label=label)
-    axes.axhline(1, color="0.7", linewidth=0.6, zorder=0)
-    axes.set(xscale="log", xlabel="contact duration $t_c$ (1 / shear rate)",
-             ylabel="relative to $t_c = 10^{-4}$")
-    axes.legend(frameon=False)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path) as axes:
+        for name, label, style in (("granular_temperature", "granular temperature", "o-"),
+                                   ("gradient_temperature", "its gradient component", "d-."),
+                                   ("collision_rate", "collision rate", "s--"),
+                                   ("shear_stress", "shear stress", "^:")):
+            known = {duration: mean_and_error([measured(run)[name] for run in runs])
+                     for duration, runs in scans.items() if duration > 0}
+            reference = known[1e-4][0]
+            axes.errorbar(list(known), [mean / reference for mean, _ in known.values()],
+                          yerr=[error / reference for _, error in known.values()], fmt=style,
+                          markersize=4, linewidth=1, capsize=2, label=label)
+        axes.axhline(1, color="0.7", linewidth=0.6, zorder=0)
+        axes.set(xscale="log", xlabel="contact duration $t_c$ (1 / shear rate)",
+                 ylabel="relative to $t_c = 10^{-4}$")
+        axes.legend()
 
 
 def main():

@@ -190,51 +190,46 @@ def sensitivity(restitution, random):
 
 def draw_words(counts, windows, path):
     """Share of each word against e, with the windows of stability above."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.6, 3.8), layout="constrained")
-    axes = figure.add_subplot()
-    words = ["ab", *(f"(ab)^{n}(cb)^{n}" for n in (6, 5, 4, 3, 2)), "other word", "no period",
-             "fly apart"]
-    colors = ["#4477aa", "#882255", "#aa3377", "#ee6677", "#ccbb44", "#228833", "#66ccee",
-              "#bbbbbb", "#eeeeee"]
-    bottom = np.zeros(len(RESTITUTION))
-    for word, color in zip(words, colors):
-        share = np.array([sum(count for key, count in counter.items()
-                              if (key if key in words else "other word") == word)
-                          for counter in counts]) / STARTS
-        if share.any():
-            axes.bar(RESTITUTION, share, np.diff(RESTITUTION)[0], bottom, color=color,
-                     label=f"${word}$" if "^" in word else word)
-        bottom += share
-    for number, ends in windows.items():
-        axes.plot(ends, [1.04, 1.04], linewidth=4, solid_capstyle="butt",
-                  color=colors[words.index(f"(ab)^{number}(cb)^{number}")])
-    for place, text in ((THREE, r"$7-4\sqrt{3}$"), (PATTERN, r"$5-2\sqrt{6}$"),
-                        (FOUR, r"$3-2\sqrt{2}$")):
-        axes.axvline(place, color="black", linewidth=0.8, linestyle="--")
-        axes.text(place, 1.09, text, ha="center", fontsize=8,
-                  bbox={"color": "white", "pad": 0.5})
-    axes.set(xlabel="restitution $e$", ylabel="share of starts", xlim=(0.049, 0.201),
-             ylim=(0, 1.16), yticks=np.arange(0, 1.01, 0.25))
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=4, frameon=False, fontsize=8)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path, size=(5.6, 3.8)) as axes:
+        words = ["ab", *(f"(ab)^{n}(cb)^{n}" for n in (6, 5, 4, 3, 2)), "other word", "no period",
+                 "fly apart"]
+        colors = ["#4477aa", "#882255", "#aa3377", "#ee6677", "#ccbb44", "#228833", "#66ccee",
+                  "#bbbbbb", "#eeeeee"]
+        bottom = np.zeros(len(RESTITUTION))
+        for word, color in zip(words, colors):
+            share = np.array([sum(count for key, count in counter.items()
+                                  if (key if key in words else "other word") == word)
+                              for counter in counts]) / STARTS
+            if share.any():
+                axes.bar(RESTITUTION, share, np.diff(RESTITUTION)[0], bottom, color=color,
+                         label=f"${word}$" if "^" in word else word)
+            bottom += share
+        for number, ends in windows.items():
+            axes.plot(ends, [1.04, 1.04], linewidth=4, solid_capstyle="butt",
+                      color=colors[words.index(f"(ab)^{number}(cb)^{number}")])
+        for place, text in ((THREE, r"$7-4\sqrt{3}$"), (PATTERN, r"$5-2\sqrt{6}$"),
+                            (FOUR, r"$3-2\sqrt{2}$")):
+            axes.axvline(place, color="black", linewidth=0.8, linestyle="--")
+            axes.text(place, 1.09, text, ha="center", fontsize=8,
+                      bbox={"color": "white", "pad": 0.5})
+        axes.set(xlabel="restitution $e$", ylabel="share of starts", xlim=(0.049, 0.201),
+                 ylim=(0, 1.16), yticks=np.arange(0, 1.01, 0.25))
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=4, frameon=False,
+                    fontsize=8)
 
 
 def draw_pattern(rows, growth, path):
     """Rounds of ababcb against the size of the error, with the slope of the eigenvalues."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.2), layout="constrained")
-    axes = figure.add_subplot()
-    for (kind, each), marker in zip(rows.items(), "ox"):
-        powers, rounds, _ = zip(*each)
-        axes.plot(powers, rounds, marker, markersize=4, label=kind)
-    powers, rounds = np.array(powers), np.array(rounds)
-    line = powers / np.log10(growth)
-    axes.plot(powers, line + np.mean(rounds - line), linewidth=1, zorder=0,
-              label=f"error x {growth:.1f} a round")
-    axes.set(xlabel="$k$: a gap is off by $10^{-k}$", ylabel="rounds of ababcb")
-    axes.legend(frameon=False)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path, size=(5.2, 3.2)) as axes:
+        for (kind, each), marker in zip(rows.items(), "ox"):
+            powers, rounds, _ = zip(*each)
+            axes.plot(powers, rounds, marker, markersize=4, label=kind)
+        powers, rounds = np.array(powers), np.array(rounds)
+        line = powers / np.log10(growth)
+        axes.plot(powers, line + np.mean(rounds - line), linewidth=1, zorder=0,
+                  label=f"error x {growth:.1f} a round")
+        axes.set(xlabel="$k$: a gap is off by $10^{-k}$", ylabel="rounds of ababcb")
+        axes.legend(frameon=False)
 
 
 def eigenvalues(word, restitution):

@@ -21,8 +21,7 @@ import numpy as np
 
 import scanning
 
-sys.path.insert(0, str(scanning.EXAMPLES.parent / "python"))
-from zenosphere.run_file import RunFile  # noqa: E402
+from zenosphere.run_file import RunFile
 
 CASE = "cornell-swift-bray-1998-random-acceleration"
 EXACT = np.pi / np.sqrt(3)
@@ -82,19 +81,17 @@ def measured(interval):
 
 def draw(rows, line, path):
     """<ln r> against the size of a kick, with the straight line and the exact value."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-    axes = figure.add_subplot()
-    kick, mean, error = np.transpose(rows)
-    axes.errorbar(kick, mean, error, fmt="o", markersize=4, capsize=2, label="measured")
-    ends = np.array([0, kick.max()])
-    axes.plot(ends, np.polyval(np.polyfit(kick, mean, 1, w=1 / error), ends), linewidth=1)
-    axes.errorbar([0], [line[0]], [line[1]], fmt="s", markersize=5, capsize=3, label="extrapolated")
-    axes.axhline(EXACT, color="black", linewidth=0.8, linestyle="--", label=r"$\pi/\sqrt{3}$")
-    axes.set(xlabel="standard deviation of a kick / mean launch speed",
-             ylabel="mean of ln (return speed / launch speed)")
-    axes.legend(frameon=False)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path) as axes:
+        kick, mean, error = np.transpose(rows)
+        axes.errorbar(kick, mean, error, fmt="o", markersize=4, capsize=2, label="measured")
+        ends = np.array([0, kick.max()])
+        axes.plot(ends, np.polyval(np.polyfit(kick, mean, 1, w=1 / error), ends), linewidth=1)
+        axes.errorbar([0], [line[0]], [line[1]], fmt="s", markersize=5, capsize=3,
+                      label="extrapolated")
+        axes.axhline(EXACT, color="black", linewidth=0.8, linestyle="--", label=r"$\pi/\sqrt{3}$")
+        axes.set(xlabel="standard deviation of a kick / mean launch speed",
+                 ylabel="mean of ln (return speed / launch speed)")
+        axes.legend()
 
 
 def main():

@@ -64,19 +64,16 @@ def tail_rate(times, begin):
 
 def draw(scans, path):
     """Share of balls that still bounce, against time over the mean of the tail."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-    axes = figure.add_subplot()
-    for (restitution, (times, rate)), marker in zip(scans.items(), "osv"):
-        left = 1 - np.arange(1, len(times) + 1) / len(times)
-        axes.semilogy(times[:-1] * rate, left[:-1], marker, markersize=2,
-                      label=f"e = {restitution}")
-    ends = np.array([0, 6])
-    axes.semilogy(ends, np.exp(-ends), color="black", linewidth=0.8, label="exponential")
-    axes.set(xlabel="time x rate of the tail", ylabel="share that still bounces", xlim=(0, 7),
-             ylim=(0.8 / RUNS, 1.1))
-    axes.legend(frameon=False)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path) as axes:
+        for (restitution, (times, rate)), marker in zip(scans.items(), "osv"):
+            left = 1 - np.arange(1, len(times) + 1) / len(times)
+            axes.semilogy(times[:-1] * rate, left[:-1], marker, markersize=2,
+                          label=f"e = {restitution}")
+        ends = np.array([0, 6])
+        axes.semilogy(ends, np.exp(-ends), color="black", linewidth=0.8, label="exponential")
+        axes.set(xlabel="time x rate of the tail", ylabel="share that still bounces", xlim=(0, 7),
+                 ylim=(0.8 / RUNS, 1.1))
+        axes.legend(frameon=False)
 
 
 def line(restitution, times):

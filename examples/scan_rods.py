@@ -16,8 +16,7 @@ import numpy as np
 
 import scanning
 
-sys.path.insert(0, str(scanning.EXAMPLES.parent / "python"))
-from zenosphere.run_file import RunFile  # noqa: E402
+from zenosphere.run_file import RunFile
 
 CASE = "bernu-mazighi-1990-three-rods"
 
@@ -96,20 +95,19 @@ def largest_restitution_with_a_hit(rods, steps=24):
 
 def draw(scans, path):
     """1/n^2 against e / e_c, with its straight line."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-    axes = figure.add_subplot()
-    for (rods, (rows, measured)), marker in zip(scans.items(), "os^"):
-        exact, used = threshold(rods), rows[rows[:, 1] >= 6 * rods]
-        scaled = (rods / rows[:, 1]) ** 2
-        points, = axes.plot(rows[:, 0] / exact, scaled, marker, markersize=4, label=f"N = {rods}")
-        slope = np.polyfit(used[:, 0], (rods / used[:, 1]) ** 2, 1)[0]
-        ends = np.array([measured, used[:, 0].max()])
-        axes.plot(ends / exact, slope * (ends - measured), color=points.get_color(), linewidth=1)
-    axes.axvline(1, color="black", linewidth=0.8, linestyle="--")
-    axes.set(xlabel=r"$e\,/\,e_c$", ylabel=r"$(N/n)^2$", xlim=(0.97, 1.32), ylim=(0, None))
-    axes.legend(frameon=False)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path) as axes:
+        for (rods, (rows, measured)), marker in zip(scans.items(), "os^"):
+            exact, used = threshold(rods), rows[rows[:, 1] >= 6 * rods]
+            scaled = (rods / rows[:, 1]) ** 2
+            points, = axes.plot(rows[:, 0] / exact, scaled, marker, markersize=4,
+                                label=f"$N = {rods}$")
+            slope = np.polyfit(used[:, 0], (rods / used[:, 1]) ** 2, 1)[0]
+            ends = np.array([measured, used[:, 0].max()])
+            axes.plot(ends / exact, slope * (ends - measured), color=points.get_color(),
+                      linewidth=1)
+        axes.axvline(1, color="black", linewidth=0.8, linestyle="--")
+        axes.set(xlabel=r"$e\,/\,e_c$", ylabel=r"$(N/n)^2$", xlim=(0.97, 1.32), ylim=(0, None))
+        axes.legend()
 
 
 def main():

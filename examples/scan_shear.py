@@ -35,16 +35,14 @@ def counted(runs):
 
 def draw(scans, path):
     """Share of the runs that met either criterion, against e."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-    axes = figure.add_subplot()
-    for place, name, style in ((0, "separation criterion", "o-"), (1, "arrest criterion", "s--")):
-        axes.plot(scans.keys(), [counted(runs)[place] for runs in scans.values()], style,
-                  markersize=4, linewidth=1, label=name)
-    axes.set(xlabel="restitution $e$", ylabel=f"runs of {len(SEEDS)} that met it",
-             ylim=(-0.5, 10.5))
-    axes.legend(frameon=False)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path) as axes:
+        for place, name, style in ((0, "separation criterion", "o-"),
+                                   (1, "arrest criterion", "s--")):
+            axes.plot(scans.keys(), [counted(runs)[place] for runs in scans.values()], style,
+                      markersize=4, linewidth=1, label=name)
+        axes.set(xlabel="restitution $e$", ylabel=f"runs of {len(SEEDS)} that met it",
+                 ylim=(-0.5, 10.5))
+        axes.legend()
 
 
 def main():

@@ -87,20 +87,17 @@ def largest_restitution_with_a_hit(dimension, direction, steps=20):
 
 def draw(scans, path):
     """ln g against e, measured in 2-D and 3-D, and exact."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-    axes = figure.add_subplot()
-    fine = np.linspace(0.049, LINE - 1e-6, 400)
-    axes.plot(fine, growth(fine), color="black", linewidth=1, label="exact")
-    for (dimension, rates), marker in zip(scans.items(), "os"):
-        axes.plot(RESTITUTION, rates, marker, markersize=4, label=f"{dimension}-D, measured")
-    axes.axhline(0, color="grey", linewidth=0.6)
-    for place in (STABLE, LINE):
-        axes.axvline(place, color="grey", linewidth=0.8, linestyle="--")
-    axes.set(xlabel="restitution $e$", ylabel="growth per collision, ln $g$", xlim=(0.049, 0.0725),
-             ylim=(-0.35, 1.2))
-    axes.legend(frameon=False, loc="upper left")
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path) as axes:
+        fine = np.linspace(0.049, LINE - 1e-6, 400)
+        axes.plot(fine, growth(fine), color="black", linewidth=1, label="exact")
+        for (dimension, rates), marker in zip(scans.items(), "os"):
+            axes.plot(RESTITUTION, rates, marker, markersize=4, label=f"{dimension}-D, measured")
+        axes.axhline(0, color="grey", linewidth=0.6)
+        for place in (STABLE, LINE):
+            axes.axvline(place, color="grey", linewidth=0.8, linestyle="--")
+        axes.set(xlabel="restitution $e$", ylabel="growth per collision, ln $g$",
+                 xlim=(0.049, 0.0725), ylim=(-0.35, 1.2))
+        axes.legend(loc="upper left")
 
 
 def main():

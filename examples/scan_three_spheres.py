@@ -135,23 +135,20 @@ def scan(dimension):
 
 def draw(scans, path):
     """Bend at the collapse against e, with the largest that theory allows."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
-    axes = figure.add_subplot()
-    fine = np.linspace(0.004, STABLE, 400)
-    axes.plot(fine, np.degrees(largest_bend(fine)), color="black", linewidth=1,
-              label="largest bend that lasts")
-    for (dimension, points), marker, shift in zip(scans.items(), "ox", (-4e-4, 4e-4)):
-        lasting = points[points[:, 2] == 0]
-        axes.plot(lasting[:, 0] + shift, lasting[:, 1], marker, markersize=3, alpha=0.6,
-                  label=f"{dimension}-D, collapses")
-    axes.axhline(120, color="grey", linewidth=0.8, linestyle=":")
-    axes.text(0.0615, 117, "triangle: 120", ha="right", va="top", fontsize=8)
-    axes.axvline(STABLE, color="grey", linewidth=0.8, linestyle="--")
-    axes.set(xlabel="restitution $e$", ylabel="bend of the row at the end, degrees",
-             xlim=(0.004, 0.064), ylim=(0, 130))
-    axes.legend(frameon=False)
-    figure.savefig(path, dpi=200)
+    with scanning.drawn(path) as axes:
+        fine = np.linspace(0.004, STABLE, 400)
+        axes.plot(fine, np.degrees(largest_bend(fine)), color="black", linewidth=1,
+                  label="largest bend that lasts")
+        for (dimension, points), marker, shift in zip(scans.items(), "ox", (-4e-4, 4e-4)):
+            lasting = points[points[:, 2] == 0]
+            axes.plot(lasting[:, 0] + shift, lasting[:, 1], marker, markersize=3, alpha=0.6,
+                      label=f"{dimension}-D, collapses")
+        axes.axhline(120, color="grey", linewidth=0.8, linestyle=":")
+        axes.text(0.0615, 117, "triangle: 120", ha="right", va="top", fontsize=8)
+        axes.axvline(STABLE, color="grey", linewidth=0.8, linestyle="--")
+        axes.set(xlabel="restitution $e$", ylabel="bend of the row at the end, degrees",
+                 xlim=(0.004, 0.064), ylim=(0, 130))
+        axes.legend(frameon=False)
 
 
 def main():

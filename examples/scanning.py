@@ -1,13 +1,18 @@
-"""Runs cases of this folder with some keys changed: what the scan scripts share."""
+"""Runs cases of this folder with some keys changed, and draws: what the scan scripts share."""
 
 import json
 import os
 import subprocess
+import sys
 import tempfile
+from contextlib import contextmanager
 from decimal import Decimal
 from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parent
+sys.path.append(str(EXAMPLES.parent / "python"))
+
+from zenosphere.pictures import HEIGHT, WIDTH, Pictures  # noqa: E402
 
 
 def program():
@@ -70,3 +75,18 @@ def _told(command, path, *words):
     if done.returncode:
         raise SystemExit(done.stderr)
     return json.loads(done.stdout.splitlines()[-1])
+
+
+@contextmanager
+def drawn(path, size=(WIDTH, HEIGHT), columns=1):
+    """Axes to draw on in the look of all figures, which are then written to a file.
+
+    path: its suffix tells the format, .png, .pdf or .svg;  size: width and height in inches
+    columns: panels side by side with one y axis; an array of them where there are more than one
+    """
+    from matplotlib.figure import Figure
+    pictures, path = Pictures((Path(path).suffix[1:],)), Path(path)
+    with pictures.style():
+        figure = Figure(figsize=size, layout="constrained")
+        yield figure.subplots(1, columns, sharey=True)
+        pictures.write(figure, path.with_suffix(""))

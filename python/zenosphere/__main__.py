@@ -12,6 +12,7 @@ from .ensemble_figures import draw_ensemble
 from .errors import InputError, OutputError
 from .figures import FALSE_POSITIVE, TRUE_COLLAPSE, draw_general_figures, draw_paper_figures
 from .movie import COLOURINGS, draw_movie
+from .pictures import FORMATS, Pictures, parsed_formats, parsed_size
 from .report import write_report
 from .run_file import RunFile
 from .search_figures import draw_search
@@ -38,12 +39,16 @@ def _figures(options):
     for path, plans in paper:
         if path:
             with RunFile(path) as run:
-                written += draw_paper_figures(run, plans, options.output)
+                written += draw_paper_figures(run, plans, options.output, _pictures(options))
     for path in options.run:
         with RunFile(path) as run:
-            written += draw_general_figures(run, options.output)
+            written += draw_general_figures(run, options.output, _pictures(options))
     for path in written:
         print(path)
+
+
+def _pictures(options):
+    return Pictures(options.format, options.size)
 
 
 def _report(options):
@@ -55,9 +60,25 @@ def _report(options):
 
 
 def _cooling(options):
+    pictures = Pictures(options.format or _format_of(options.output), options.size)
     with RunFile(options.file) as run:
-        print(draw_cooling(run, options.output))
-    print(options.output)
+        said, written = draw_cooling(run, _without_format(options.output), pictures)
+    print(said)
+    for path in written:
+        print(path)
+
+
+def _format_of(path):
+    """The one that a file's suffix names. Raises InputError."""
+    suffix = path.suffix[1:].lower()
+    if path == _without_format(path):
+        raise InputError(f"{path}: {path.suffix or 'no suffix'} names no format of a figure (there"
+                         f" are {', '.join(FORMATS)}); end the name in .png, or give --format")
+    return (suffix,)
+
+
+def _without_format(path):
+    return path.with_suffix("") if path.suffix[1:].lower() in FORMATS else path
 
 
 def _movie(options):
@@ -71,8 +92,9 @@ def _movie(options):
 
 def _ensemble(options):
     ensemble = Ensemble(options.file)
-    written = (draw_search(ensemble, options.output) if ensemble.boundaries() else
-               draw_ensemble(ensemble, options.output, options.x, options.y))
+    pictures = _pictures(options)
+    written = (draw_search(ensemble, options.output, pictures) if ensemble.boundaries() else
+               draw_ensemble(ensemble, options.output, options.x, options.y, pictures))
     for path in written:
         print(path)
 
@@ -82,7 +104,7 @@ def _parser():
         "zenosphere"].__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    figures = commands.add_parser("figures", help="draw figures as PNG and PDF")
+    figures = commands.add_parser("figures", help="draw the figures of runs")
     figures.add_argument("--false-positive", metavar="OUT.h5", type=Path,
                          help="run for the paper's Figures 1, 2, 3a, 3b (e = 0.6)")
     figures.add_argument("--true-collapse", metavar="OUT.h5", type=Path,
@@ -91,6 +113,7 @@ def _parser():
                          help="any run, for a general set; can be repeated")
     figures.add_argument("-o", "--output", metavar="DIR", type=Path, default=Path("figures"),
                          help="folder of the figures (default: figures)")
+    _add_look(figures, ("png", "pdf"), "png,pdf")
     figures.set_defaults(command=_figures)
 
     report = commands.add_parser("report-md", help="write a Markdown report")
@@ -106,6 +129,7 @@ def _parser():
     cooling.add_argument("file", metavar="OUT.h5", type=Path, help="a run with snapshots")
     cooling.add_argument("-o", "--output", metavar="FIGURE.png", type=Path,
                          default=Path("cooling.png"), help="the figure (default: cooling.png)")
+    _add_look(cooling, None, "by the suffix of FIGURE")
     cooling.set_defaults(command=_cooling)
     _add_movie(commands)
     _add_ensemble(commands)
@@ -144,7 +168,16 @@ def _add_ensemble(commands):
                           " (default: system.restitution, or the axis with most values)")
     ensemble.add_argument("--y", metavar="KEY", help="axis of the panels and of the maps' rows"
                           " (default: system.solids_volume_fraction, or the next)")
+    _add_look(ensemble, ("png",), "png")
     ensemble.set_defaults(command=_ensemble)
+
+
+def _add_look(command, formats, usual):
+    """The options of every command that draws."""
+    command.add_argument("--format", metavar="FORMATS", type=parsed_formats, default=formats,
+                         help=f"{', '.join(FORMATS)}; several as png,svg (default: {usual})")
+    command.add_argument("--size", metavar="WxH", type=parsed_size, help="width and height of each"
+                         " figure in centimetres, as 8.6x6 (default: what suits the figure)")
 
 
 def _failed(error, code):

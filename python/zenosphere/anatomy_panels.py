@@ -2,46 +2,65 @@
 
 import numpy as np
 from matplotlib.patches import Circle
-from matplotlib.ticker import FuncFormatter, MaxNLocator
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
 from . import words
 from .dissection import QUANTITIES, plane_of
-from .panels import HIT_COLOUR, INK, MARK_COLOUR
+from .panels import above
+from .pictures import HIT_COLOUR, INK, MARK_COLOUR, points
 
-LABELS = {"gap": ("gap closed", "gap"), "normal_speed": ("closing speed", "speed"),
-          "flight": ("flight", "flight")}
+LABELS = {"gap": "Gap closed\n(diameters)", "normal_speed": "Closing speed\n(diameters/time unit)",
+          "flight": "Flight\n(time units)"}
 COLOURS = {"gap": INK, "normal_speed": HIT_COLOUR, "flight": MARK_COLOUR}
 MARKS = {"gap": "o", "normal_speed": "^", "flight": "s"}
 IN_CURVES, IN_RASTER = 400, 90  # most collisions of the cluster shown
 FITTED = 64  # last collisions that a factor is measured on
+LEAST_A_PAIR, LARGEST_MISS = 3, 0.2  # of a decay that is drawn as a line: see decay_holds
+LONGEST_LABEL = 8.5  # its length over the size of its letters
 LEAST_NAME = 4.0  # points: smaller numbers of spheres are left out
 
 
-def decay(axes, run, which):
-    """Gap, closing speed and flight of each collision of the cluster, on a logarithmic scale.
+def decay(column, run, which):
+    """Gap, closing speed and flight of each collision of the cluster, on logarithmic scales.
 
-    which: "hit" or "arrest", as in the other panels
+    column: three axes, from above;  which: "hit" or "arrest", as in the other panels
     """
     found = run.dissection(which)
     place, rows = _shown(found, which, IN_CURVES)
     size = float(np.clip(40 / np.sqrt(len(place) + 1), 1.5, 3.5))
-    for quantity in QUANTITIES:
-        values = rows[quantity]
-        seen = np.isfinite(values) & (values > 0)
+    for axes, quantity in zip(column, QUANTITIES):
+        values, seen, fitted = _measured(found, quantity, rows)
         axes.plot(place[seen], values[seen], MARKS[quantity], color=COLOURS[quantity],
-                  markersize=size, markeredgewidth=0, label=_factor(found, quantity))
-        counts = _counts(quantity, rows, found.attributes["resolution"])
-        fitted = np.flatnonzero(seen & counts)[-FITTED:]
-        _slope(axes, place[fitted], values[fitted], found.ratio(quantity), COLOURS[quantity])
-    axes.set_yscale("log")
-    low, high = axes.get_ylim()
-    axes.set_ylim(low * (low / high) ** 0.4, high)  # room for the legend
-    axes.set_xlabel(_place_name(which))
-    axes.set_ylabel("In diameters, time unit of the case")
-    axes.xaxis.set_major_locator(MaxNLocator(nbins=6, integer=True))
-    axes.legend(loc="lower left", title=_legend_title(found), title_fontsize=8,
-                alignment="left", handletextpad=0.2)
-    _heading(axes, run, found, which)
+                  markersize=size, markeredgewidth=0)
+        if decay_holds(place[fitted], values[fitted], _pairs(rows, fitted), found.ratio(quantity)):
+            _slope(axes, place[fitted], values[fitted], found.ratio(quantity), COLOURS[quantity])
+            said = rf"$\times\,{words.short(found.ratio(quantity))}$ per collision"
+        else:
+            said = "no steady factor" if fitted.size else "not measured"
+        _log_scale(axes, values[seen])
+        axes.set_ylabel(LABELS[quantity], fontsize=_label_size(axes))
+        axes.text(0.02, 0.06, said + _exact(found, quantity), transform=axes.transAxes,
+                  fontsize=points(8.5))
+    column[-1].set_xlabel(_place_name(which))
+    column[-1].xaxis.set_major_locator(MaxNLocator(nbins=6, integer=True))
+    _heading(column[0], run, found, which)
+
+
+def decay_holds(place, values, pairs, ratio):
+    """Whether a geometric decay describes the values it was measured on.
+
+    It does where nine of ten values lie within a fifth of the line's whole fall (in logarithms)
+    from it, the line being moved up or down for each pair, and there are three values a pair.
+    place: (n) collisions;  values: (n) > 0;  pairs: (n) which pair each belongs to
+    ratio: factor per collision, NaN where none could be measured
+    """
+    names = np.unique(pairs)
+    if not np.isfinite(ratio) or len(values) < max(LEAST_A_PAIR * len(names), 1):
+        return False
+    off = np.log(values) - place * np.log(ratio)
+    for name in names:
+        off[pairs == name] -= np.median(off[pairs == name])
+    return np.quantile(np.abs(off), 0.9) <= LARGEST_MISS * abs(np.log(ratio)) * np.ptp(place)
 
 
 def cluster(axes, run, which):
@@ -78,12 +97,13 @@ def raster(axes, run, which):
     row = [pairs.index(pair) for pair in zip(rows["i"].tolist(), rows["j"].tolist())]
     axes.plot(place, row, "-", color="0.8", linewidth=0.6, zorder=1)
     axes.plot(place, row, "|", color=INK, markersize=7, markeredgewidth=1.1, zorder=2)
-    names = [_pair_name(pair, run.spheres) for pair in pairs]
-    axes.set_yticks(range(len(pairs)), names, fontsize=min(8, 110 / max(len(pairs), 1)))
+    names = [words.pair(run, *pair) for pair in pairs]
+    axes.set_yticks(range(len(pairs)), names, fontsize=points(min(8, 110 / max(len(pairs), 1))))
     axes.set_ylim(len(pairs) - 0.4, -0.6)
     axes.set_xlabel(_place_name(which))
     axes.xaxis.set_major_locator(MaxNLocator(nbins=6, integer=True))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0f}"))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0f}".replace(
+        "-", "\N{MINUS SIGN}")))
     axes.set_ylabel("Pair that collides")
     _heading(axes, run, found, which)
 
@@ -113,21 +133,40 @@ def _place_name(which):
         "the first hit on" if which == "hit" else "where the clock stopped")
 
 
-def _factor(found, quantity):
-    name, short = LABELS[quantity]
-    ratio, exact = found.ratio(quantity), found.exact_ratio(quantity)
-    if not np.isfinite(ratio):
-        return name
-    text = rf"{name}  $\times\,{words.short(ratio)}$"
-    return text + (f"  ({words.short(exact)})" if np.isfinite(exact) else "")
+def _measured(found, quantity, rows):
+    """Values of a quantity, which of them can be drawn, and the places of those that count."""
+    values = rows[quantity]
+    seen = np.isfinite(values) & (values > 0)
+    counts = _counts(quantity, rows, found.attributes["resolution"])
+    return values, seen, np.flatnonzero(seen & counts)[-FITTED:]
 
 
-def _legend_title(found):
-    if not np.isfinite(found.ratio("normal_speed")):
-        return None
-    exact = np.isfinite(found.exact_ratio("gap"))
-    chain = f" (straight chain of {len(found.chain)})" if exact else ""
-    return f"factor per collision{chain}"
+def _pairs(rows, chosen):
+    """Which pair each of the chosen rows belongs to, int64."""
+    return rows["i"][chosen].astype(np.int64) << 32 | rows["j"][chosen].astype(np.int64)
+
+
+def _exact(found, quantity):
+    ratio = found.exact_ratio(quantity)
+    chain = rf"   (straight chain of {len(found.chain)}: $\times\,{words.short(ratio)}$)"
+    return chain if np.isfinite(ratio) else ""
+
+
+def _label_size(axes):
+    """Points in which the longest label is about as long as a panel is high, 5 or more."""
+    height = axes.get_position().height * axes.figure.get_figheight() * 72
+    return max(min(points(9), height / LONGEST_LABEL), 5)
+
+
+def _log_scale(axes, values):
+    """Few decades, and room below for the factor."""
+    axes.set_yscale("log")
+    if values.size:
+        low, high = values.min(), values.max()
+        room = max(np.log10(high / low), 1)
+        axes.set_ylim(low / 10 ** (0.35 * room), high * 10 ** (0.1 * room))
+    axes.yaxis.set_major_locator(LogLocator(numticks=6))
+    axes.yaxis.set_minor_locator(NullLocator())
 
 
 def _slope(axes, place, values, ratio, color):
@@ -151,12 +190,6 @@ def _ordered_pairs(found, seen):
     return [pair for pair in chain if pair in seen] + sorted(seen - set(chain))
 
 
-def _pair_name(pair, spheres):
-    first, second = pair
-    return f"{first}\N{EN DASH}{second}" if second < spheres else (
-        f"{first}\N{EN DASH}{'lower' if second == spheres else 'upper'} wall")
-
-
 def _name_size(places):
     """Points in which a number fits a sphere."""
     extent = max(float(np.ptp(places, axis=0).max()) + 1.4, 3)
@@ -168,16 +201,14 @@ def _moment_name(which):
 
 
 def _heading(axes, run, found, which):
-    restitution = run.setting("system", "restitution")
-    parts = [] if restitution is None else [f"$e = {words.short(restitution)}$"]
     first = int((found.cluster == 0).sum())
     others = len(found.straightness) - 1
-    parts += [f"$N = {run.spheres}$", f"cluster of {first}"]
+    parts = words.restitutions(run) + [f"$N = {run.spheres}$", f"cluster of {first}"]
     if len(found.chain) > 2:
         parts.append(f"chain of {len(found.chain)}, straightness {found.straightness[0]:.4f}")
     if others:
         parts.append(f"{others} other cluster" + ("s" if others > 1 else ""))
-    axes.text(0, 1.10, ", ".join(parts), transform=axes.transAxes, va="bottom", fontsize=9)
-    axes.text(0, 1.03, f"{_moment_name(which)}: collision {words.grouped(found.collision)},"
-                       f" time {words.short(found.time, digits=8)}; verdict: {run.verdict}",
-              transform=axes.transAxes, va="bottom", fontsize=8, color=MARK_COLOUR)
+    above(axes, ", ".join(parts), 18, fontsize=points(9))
+    above(axes, f"{_moment_name(which)}: collision {words.grouped(found.collision)}, time"
+                f" {words.short(found.time, digits=8)}; verdict: {run.verdict}", 5,
+          fontsize=points(8), color=MARK_COLOUR)

@@ -1,18 +1,17 @@
 """Draws the granular temperature of a run against time, with Haff's law."""
 
-import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
 from . import cooling, words
-from .errors import InputError, OutputError
-from .panels import HEIGHT, HIT_COLOUR, INK, MARK_COLOUR, STYLE, WIDTH
+from .errors import InputError
+from .pictures import HEIGHT, HIT_COLOUR, INK, MARK_COLOUR, WIDTH, points
 
 
-def draw_cooling(run, path):
-    """Writes the figure and returns a line that says which Haff time it shows.
+def draw_cooling(run, path, pictures):
+    """Writes the figure; returns a line that says which Haff time it shows, and the paths.
 
-    run: RunFile with snapshots;  path: Path, its suffix tells the format
+    run: RunFile with snapshots;  path: Path without suffix;  pictures: Pictures
     Raises InputError, OutputError.
     """
     time, temperature = cooling.temperature_of_snapshots(run)
@@ -21,16 +20,12 @@ def draw_cooling(run, path):
                          " or more and a start that moves); run the case again with an"
                          " output.snapshot_interval")
     haff = cooling.haff_of(run, time, temperature)
-    with matplotlib.rc_context(STYLE):
-        figure = Figure(figsize=(WIDTH, HEIGHT), dpi=200, layout="constrained")
-        ledger = cooling.temperature_of_collisions(run, temperature[0])
+    ledger = cooling.temperature_of_collisions(run, temperature[0])
+    with pictures.style():
+        figure = Figure(figsize=pictures.inches(WIDTH, HEIGHT), layout="constrained")
         _panel(figure.add_subplot(), run, (time, temperature), ledger, haff)
-        try:
-            figure.savefig(path)
-        except (OSError, ValueError) as error:
-            raise OutputError(f"{path}: cannot be written ({error});"
-                              " choose another file with -o") from error
-    return _said(haff, *(ledger if ledger[0].size else (time, temperature)))
+        written = pictures.write(figure, path)
+    return _said(haff, *(ledger if ledger[0].size else (time, temperature))), written
 
 
 def _panel(axes, run, snapshots, ledger, haff):
@@ -53,23 +48,15 @@ def _panel(axes, run, snapshots, ledger, haff):
     low = min(temperature[shown].min(), haff.temperature(time[-1]))
     axes.set_ylim(max(low, 1e-12 * haff.start) / 2, haff.start * 2)
     axes.set_xlabel("Time (time unit of the case)")
-    axes.set_ylabel("Granular temperature")
-    axes.set_title(f"D = {run.setting('system', 'dimension')},"
-                   f" e = {_restitution(run)}, N = {run.spheres};"
-                   f" verdict: {run.verdict}", fontsize=9, loc="left")
+    axes.set_ylabel("Granular temperature (diameters/time unit)$^2$")
+    parts = [f"$D = {run.setting('system', 'dimension')}$", *words.restitutions(run),
+             f"$N = {run.spheres}$"]
+    axes.set_title(f"{', '.join(parts)}; verdict: {run.verdict}", fontsize=points(9), loc="left")
     axes.legend(loc="lower left")
 
 
 def _law(haff):
     return "Haff" if haff.power == 2 else "viscoelastic, $(1 + t/\\tau)^{-5/3}$"
-
-
-def _restitution(run):
-    if cooling.restitution_law(run) == "viscoelastic":
-        return f"e(v), A = {words.short(run.setting('collision', 'viscoelastic_constant'))}"
-    if cooling.restitution_law(run) == "fixed_loss":
-        return f"e(v), loss {words.short(run.setting('collision', 'energy_loss'))}"
-    return words.short(run.setting("system", "restitution"))
 
 
 def _apart(time, per_decade=12):

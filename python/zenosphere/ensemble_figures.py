@@ -1,30 +1,29 @@
 """The figures and tables of an ensemble."""
 
-import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
 
 from . import ensemble_panels as panels
 from . import words
 from .ensemble import CRITERIA
 from .ensemble_maps import finding_maps, probability_maps
-from .ensemble_panels import DOTS_PER_INCH
 from .ensemble_slices import chosen_parts, slices
 from .ensemble_table import crossing_rows, crossings_along, probability_rows, write_csv
 from .errors import OutputError
 from .findings import finding_rows
-from .panels import STYLE
+from .pictures import PAGE_WIDTH, Pictures, points
 
+LEAST_PANEL = 1.0  # inches, width of one of many
 LENGTHS = 9  # run lengths of the figure, a factor of two apart
-WIDTH = 7.0  # inches
 
 
-def draw_ensemble(ensemble, folder, x=None, y=None):
+def draw_ensemble(ensemble, folder, x=None, y=None, pictures=Pictures()):
     """Writes the tables and the figures of a store; returns the paths.
 
     folder: Path, made where missing;  x, y: keys of the curves' x and of the panels (rows of the
     maps); by default restitution and solids volume fraction, else the axes with most values
+    pictures: how figures are written
     Raises InputError, OutputError.
     """
     parts = chosen_parts(ensemble, x, y)
@@ -38,20 +37,21 @@ def draw_ensemble(ensemble, folder, x=None, y=None):
     for number, part in enumerate(slices(ensemble, parts)):
         suffix = f"-{number + 1}" if parts.rest else ""
         for name, draw in FIGURES.items():
-            with matplotlib.rc_context(STYLE):
-                figure = draw(part)
-                written += saved(figure, folder / f"{name}{suffix}.png") if figure else []
+            with pictures.style():
+                figure = draw(part, pictures)
+                written += pictures.write(figure, folder / f"{name}{suffix}") if figure else []
     return written
 
 
-def _probabilities(part):
+def _probabilities(part, pictures):
     """P against x: a row for each criterion, a column for each y, a series for each third key."""
     if not part.counts.done.any():
         return None
     x_key, x = part.axis("x")
     y_key, columns = part.axis("y")
     x = np.array(x, dtype=float)
-    figure, grid = figure_grid(_heading(part), 3, len(columns), (1.75, 1.55))
+    figure, grid = figure_grid(pictures, _heading(part), 3, len(columns), (1.75, 1.55),
+                               panels.series_handles(*part.axis("series")))
     step = np.diff(np.sort(x)).min() * 0.12
     for (row, column), axes in np.ndenumerate(grid):
         met = part.counts.met[CRITERIA[row]]
@@ -60,22 +60,22 @@ def _probabilities(part):
             panels.probability(axes, x, met[:, column, number],
                                part.counts.done[:, column, number], style, shift)
         axes.set_xlim(x.min() - 4 * step, x.max() + 4 * step)
+        axes.xaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 5, 10]))
         panels.outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
                       "P: " + panels.TITLES[CRITERIA[row]].replace(" ", "\n", 1))
         if row == 0 and y_key:
-            axes.set_title(panels.said(y_key, columns[column]), fontsize=9)
-    _legend(grid[0, 0], part, "series")
+            axes.set_title(panels.said(y_key, columns[column]), fontsize=points(9))
     return figure
 
 
-def _boundaries(part):
+def _boundaries(part, pictures):
     """Where P crosses 1/2 along x: a row for each criterion, against y and against the third."""
     x_key, _ = part.axis("x")
     against = [name for name in ("y", "series") if part.axis(name)[0]]
     found, span = crossings_of(part), _span(part)
     if not against or all(each.how in ("nothing", "unclear") for each in found["separation"].flat):
         return None
-    figure, grid = figure_grid(_heading(part), 2, len(against), (2.9, 2.2), sharex="col",
+    figure, grid = figure_grid(pictures, _heading(part), 2, len(against), (2.9, 2.2), sharex="col",
                                sharey=True)
     for (row, column), axes in np.ndenumerate(grid):
         name = ("separation", "arrest")[row]
@@ -90,11 +90,13 @@ def _boundaries(part):
         panels.outer_labels(axes, grid.shape, (row, column), panels.label(key),
                       f"{panels.symbol(x_key)} where P = 1/2:\n{panels.TITLES[name]}")
         if row == 0:
-            _legend(axes, part, other)
+            hollow = any(panels.is_outside(each) for one in found.values() for each in one.flat)
+            handles = panels.series_handles(*part.axis(other), hollow)
+            axes.legend(handles=handles, fontsize=points(7)) if handles else None
     return figure
 
 
-def _run_lengths(part):
+def _run_lengths(part, pictures):
     """The crossings of both criteria against the length of the runs, at the last third key."""
     x_key, _ = part.axis("x")
     longest = part.ensemble.longest
@@ -102,7 +104,10 @@ def _run_lengths(part):
         return None
     lengths = longest / 2.0 ** np.arange(LENGTHS)[::-1]
     found = [crossings_of(part.with_limit(limit).last()) for limit in lengths]
-    figure, grid = figure_grid(_heading(part), 1, 2, (2.9, 2.4), sharey=True)
+    hollow = any(panels.is_outside(one) for each in found for table in each.values()
+                 for one in table[:, -1])
+    figure, grid = figure_grid(pictures, _heading(part), 1, 2, (2.9, 2.4),
+                               panels.series_handles(*part.axis("y"), hollow), sharey=True)
     for axes, name in zip(grid[0], ("separation", "arrest")):
         for number, style in enumerate(_styles(part, "y")):
             row = [each[name][number, -1] for each in found]
@@ -110,23 +115,22 @@ def _run_lengths(part):
                             1 + 0.03 * (number - len(part.axis("y")[1]) / 2))
         axes.set_xscale("log")
         axes.set_xlabel("Run length (collisions per sphere)")
-        axes.set_title(panels.TITLES[name], fontsize=9)
+        axes.set_title(panels.TITLES[name], fontsize=points(9))
     key, values = part.axis("series")
     at = f"\n({panels.said(key, values[-1])})" if key else ""
     grid[0, 0].set_ylabel(f"{panels.symbol(x_key)} where P = 1/2{at}")
-    _legend(grid[0, 0], part, "y")
     return figure
 
 
-def _maps(part):
-    return probability_maps(part, _heading(part, remark=""), WIDTH)
+def _maps(part, pictures):
+    return probability_maps(part, _heading(part, remark=""), pictures)
 
 
-def _findings(part):
+def _findings(part, pictures):
     """What the first groups of hits were; None without findings or without a hit."""
     if not part.counts.findings or not part.counts.findings["hit"].any():
         return None
-    return finding_maps(part, _findings_heading(part), WIDTH)
+    return finding_maps(part, _findings_heading(part), pictures)
 
 
 FIGURES = {"probability": _probabilities, "map": _maps, "findings": _findings,
@@ -152,12 +156,24 @@ def _styles(part, name="series"):
     return panels.styles(len(part.axis(name)[1]))
 
 
-def figure_grid(heading, rows, columns, size, **sharing):
-    """A figure with a heading, and its axes (rows, columns); size: of one of them, inches."""
-    inches = max(columns * size[0] + 0.9, 4.2), max(rows * size[1] + 0.8, 2.6)
-    figure = Figure(figsize=inches, dpi=DOTS_PER_INCH, layout="constrained")
-    grid = figure.subplots(rows, columns, squeeze=False, **sharing)
-    figure.suptitle(heading, fontsize=9, x=0.01, ha="left")
+def figure_grid(pictures, heading, rows, columns, size, legend=(), **sharing):
+    """A figure with a heading, and its axes (rows, columns).
+
+    size: (width, height) of one of them, inches;  legend: handles, in a strip below
+    """
+    width = min(max(columns * size[0] + 0.9, 4.2), max(PAGE_WIDTH, columns * LEAST_PANEL + 0.9))
+    width = pictures.inches(width, 0)[0]
+    longest = max((len(each.get_label()) for each in legend), default=0)
+    beside = max(int(width / (0.5 + points(7) * 0.5 / 72 * longest)), 1)
+    strip = points(0.18) * -(-len(legend) // beside)  # inches
+    inches = pictures.inches(width, max(rows * size[1] + 0.8, 2.6) + strip)
+    figure = Figure(figsize=inches, layout="constrained")
+    above = figure
+    if legend:
+        above, below = figure.subfigures(2, 1, height_ratios=(inches[1] - strip, strip))
+        below.legend(handles=legend, loc="center", ncol=beside, fontsize=points(7), borderpad=0)
+    grid = above.subplots(rows, columns, squeeze=False, **sharing)
+    above.suptitle(heading, fontsize=points(9), x=0.01, ha="left")
     return figure, grid
 
 
@@ -190,20 +206,6 @@ def _at_others(part, text):
     return (f"{others}: {text}" if others else text).replace(words.SPACE, " ")
 
 
-def _legend(axes, part, name):
-    key, values = part.axis(name)
-    if key:
-        series_legend(axes, key, values)
-
-
-def series_legend(axes, key, values):
-    """Says which colour and marker is which value of a key."""
-    axes.legend(fontsize=7, handles=[
-        Line2D([], [], color=colour, marker=marker, markersize=4, linewidth=0.8,
-               markeredgewidth=0, label=panels.said(key, value))
-        for value, (colour, marker) in zip(values, panels.styles(len(values)))])
-
-
 def _is_geometric(values):
     """Whether the ratios of neighbouring values are more even than their differences."""
     if len(values) < 3 or min(values) <= 0:
@@ -225,13 +227,3 @@ def made_folder(folder):
     except OSError as error:
         raise OutputError(f"{folder}: cannot be made ({error.strerror});"
                           " choose another folder with -o") from error
-
-
-def saved(figure, path):
-    """Writes a figure and returns its path in a list. Raises OutputError."""
-    try:
-        figure.savefig(path)
-    except OSError as error:
-        raise OutputError(f"{path}: cannot be written ({error.strerror});"
-                          " choose another folder with -o") from error
-    return [path]

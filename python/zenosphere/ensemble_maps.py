@@ -10,11 +10,13 @@ from matplotlib.patches import Patch
 from . import ensemble_panels as panels
 from . import words
 from .ensemble import CRITERIA
-from .ensemble_panels import DOTS_PER_INCH
+from .pictures import PAGE_WIDTH, points
 from .proportions import fraction
 
 CELL_HEIGHT, LEAST_CELL = 0.27, 0.17  # inches: two decimals in 6 points are as wide
-MARGIN, LEGEND = 0.8, 1.05  # inches: labels on the left, legend below
+LEAST_HEIGHT, SMALLEST_CELL = 0.11, 0.02  # inches: with a number, without
+MARGIN, TITLE = 0.8, 0.45  # inches: labels on the left and around a figure, title of a panel
+COLOUR_BAR, LEGEND = 0.5, 1.05  # inches, below the panels
 TICK_SIZE, TITLE_SIZE, LARGEST_NUMBER = 8, 9, 7  # points
 GLYPH = 0.5  # mean width of a letter over the font size
 FRAME = 0.03  # of a cell, around a bar
@@ -36,84 +38,87 @@ HATCHED = {"not adjudicated": "//////"}
 
 @dataclass(frozen=True)
 class Layout:
-    """Panels in rows and columns, and the size of one of their cells (inches)."""
+    """Panels in rows and columns, and the sizes of the figure and of a cell (inches)."""
 
-    width: float  # of the figure
-    rows: int
-    columns: int
-    cell: float  # width
-    panel_height: float
+    size: tuple  # (width, height) of the figure
+    shape: tuple  # (rows, columns)
+    cell: tuple  # (width, height)
 
     @property
-    def shape(self):
-        """(rows, columns)."""
-        return self.rows, self.columns
-
-    @property
-    def height(self):
-        """Of the figure, without a legend or a colour bar."""
-        return self.rows * (self.panel_height + 0.45) + 0.8
+    def has_numbers(self):
+        """Whether a number fits in a cell."""
+        return self.cell[0] >= LEAST_CELL and self.cell[1] >= LEAST_HEIGHT
 
 
-def layout(part, width, panel_count, candidates):
-    """The most columns of the candidates (descending) at which a cell holds a number, else the
-    fewest."""
-    def cell(columns):
-        return ((width - MARGIN) / columns - 0.1) / len(part.axis("x")[1])
-    columns = next((each for each in candidates if cell(each) >= LEAST_CELL), candidates[-1])
-    height = max(CELL_HEIGHT * len(part.axis("y")[1]), 0.9)
-    return Layout(width, -(-panel_count // columns), columns, cell(columns), height)
+def layout(part, pictures, panel_count, candidates, below):
+    """The first number of columns at which numbers fit in the cells; the first one if none.
+
+    candidates: numbers of columns;  below: inches, of a legend or a colour bar
+    """
+    plans = [_with_columns(part, pictures, panel_count, columns, below) for columns in candidates]
+    return next((plan for plan in plans if plan.has_numbers), plans[0])
 
 
-def probability_maps(part, heading, width):
+def _with_columns(part, pictures, panel_count, columns, below):
+    across, along = (len(part.axis(name)[1]) for name in ("x", "y"))
+    rows = -(-panel_count // columns)
+    usual = rows * (max(CELL_HEIGHT * along, 0.9) + TITLE) + MARGIN + below
+    width, height = pictures.inches(PAGE_WIDTH, usual)
+    cell = (((width - MARGIN) / columns - 0.1) / across,
+            max(((height - below - MARGIN) / rows - TITLE) / along, SMALLEST_CELL))
+    return Layout((width, height), (rows, columns), cell)
+
+
+def probability_maps(part, heading, pictures):
     """Figure of P over x and y: a panel for each criterion and third key; None without y.
 
-    part: Slice;  width: inches
+    part: Slice;  pictures: Pictures
     """
     if part.axis("y")[0] is None:
         return None
     row_key, rows = part.axis("series")
-    plan = layout(part, width, len(rows) * len(CRITERIA), (4, 2, 1))
-    figure = Figure(figsize=(width, plan.height + 0.5), dpi=DOTS_PER_INCH, layout="constrained")
+    plan = layout(part, pictures, len(rows) * len(CRITERIA), (4, 2, 1), COLOUR_BAR)
+    figure = Figure(figsize=plan.size, layout="constrained")
     grid = figure.subplots(*plan.shape, squeeze=False)
-    figure.suptitle(heading, fontsize=TITLE_SIZE, x=0.01, ha="left")
+    figure.suptitle(heading, fontsize=points(TITLE_SIZE), x=0.01, ha="left")
     kinds = [(row, name) for row in range(len(rows)) for name in CRITERIA]
     for (place, axes), (row, name) in zip(np.ndenumerate(grid), kinds):
-        image = _probabilities(axes, part.counts, name, row, plan.cell)
+        image = _probabilities(axes, part.counts, name, row, plan)
         _label(axes, part, place, plan, f"{panels.said(row_key, rows[row])}\n" if row_key else "")
-        if place[0] == 0 or plan.columns < len(CRITERIA):
-            _title(axes, panels.TITLES[name], plan.cell * len(part.axis("x")[1]))
+        if place[0] == 0 or plan.shape[1] < len(CRITERIA):
+            _title(axes, panels.TITLES[name], plan.cell[0] * len(part.axis("x")[1]))
     figure.colorbar(image, ax=grid, label="fraction of the runs", location="bottom", shrink=0.5,
-                    aspect=30, pad=0.1 / plan.height)
+                    aspect=30, pad=0.1 / plan.size[1])
     return figure
 
 
-def finding_maps(part, heading, width):
+def finding_maps(part, heading, pictures):
     """Figure of what the first group of hits was, as shares of the runs that are done, stacked.
 
-    part: Slice with findings;  width: inches.  A panel for each third key
+    part: Slice with findings;  pictures: Pictures.  A panel for each third key
     """
     row_key, rows = part.axis("series")
     most = -(-len(rows) // -(-len(rows) // 3))  # up to three side by side, evenly
-    plan = layout(part, width, len(rows), range(most, 0, -1))
-    whole = Figure(figsize=(width, plan.height + LEGEND), dpi=DOTS_PER_INCH, layout="constrained")
-    above, below = whole.subfigures(2, 1, height_ratios=(plan.height, LEGEND))
+    plan = layout(part, pictures, len(rows), range(most, 0, -1), LEGEND)
+    whole = Figure(figsize=plan.size, layout="constrained")
+    above, below = whole.subfigures(2, 1, height_ratios=(plan.size[1] - LEGEND, LEGEND))
     grid = above.subplots(*plan.shape, squeeze=False)
-    above.suptitle(heading, fontsize=TITLE_SIZE, x=0.01, ha="left")
+    above.suptitle(heading, fontsize=points(TITLE_SIZE), x=0.01, ha="left")
     for number, (place, axes) in enumerate(np.ndenumerate(grid)):
         if number >= len(rows):
             axes.set_axis_off()
             continue
         _stacks(axes, part.counts, number, FRAME if part.axis("y")[0] else 0)
-        is_lowest = number + plan.columns >= len(rows)
-        _label(axes, part, (plan.rows - 1 if is_lowest else 0, place[1]), plan, "")
+        is_lowest = number + plan.shape[1] >= len(rows)
+        _label(axes, part, (plan.shape[0] - 1 if is_lowest else 0, place[1]), plan, "")
         if row_key:
-            axes.set_title(panels.said(row_key, rows[number]), fontsize=TITLE_SIZE)
-    below.legend(handles=_findings_legend(part.counts), loc="center", ncol=2, fontsize=TICK_SIZE)
+            axes.set_title(panels.said(row_key, rows[number]), fontsize=points(TITLE_SIZE))
+    below.legend(handles=_findings_legend(part.counts), loc="center", ncol=2,
+                 fontsize=points(TICK_SIZE))
     return whole
 
 
-def _probabilities(axes, counts, name, row, cell):
+def _probabilities(axes, counts, name, row, plan):
     """P as colour; a cell whose runs are not all done is hatched, one without is grey.
 
     Returns the image for a colour bar.
@@ -125,8 +130,8 @@ def _probabilities(axes, counts, name, row, cell):
                             cmap=panels.MAP, vmin=0, vmax=1, edgecolors="white", linewidth=0.6)
     for place in np.argwhere(done < runs):
         _hatch(axes, place, NOT_DONE)
-    size = min(LARGEST_NUMBER, cell * 72 / (4 * GLYPH))  # points
-    for place in np.argwhere(done > 0) if cell >= LEAST_CELL else ():
+    size = min(points(LARGEST_NUMBER), plan.cell[0] * 72 / (4 * GLYPH), plan.cell[1] * 72)
+    for place in np.argwhere(done > 0) if plan.has_numbers else ():
         value = p[tuple(place)]
         axes.text(place[1] + 0.5, place[0] + 0.5, short_fraction(value), ha="center",
                   va="center", fontsize=size, color="white" if value < 0.55 else "black")
@@ -176,11 +181,13 @@ def _findings_legend(counts):
 def _label(axes, part, place, plan, name):
     """Ticks at the cells, those that fit; names and numbers on the left and at the bottom only."""
     (x_key, x), (y_key, y) = part.axis("x"), part.axis("y")
-    every = _stride(x, plan.cell)
+    every = _stride(x, plan.cell[0])
+    each_row = int(np.ceil(points(TICK_SIZE) / 72 / plan.cell[1]))
     axes.set_xticks(np.arange(0, len(x), every) + 0.5, [words.short(each) for each in x[::every]])
     if y_key:
-        axes.set_yticks(np.arange(len(y)) + 0.5, [words.short(each) for each in y])
-    axes.tick_params(length=0, labelsize=TICK_SIZE)
+        axes.set_yticks(np.arange(0, len(y), each_row) + 0.5,
+                        [words.short(each) for each in y[::each_row]])
+    axes.tick_params(length=0, labelsize=points(TICK_SIZE))
     panels.outer_labels(axes, plan.shape, place, panels.label(x_key),
                         name + panels.symbol(y_key) if y_key else "share of the runs")
 
@@ -188,13 +195,13 @@ def _label(axes, part, place, plan, name):
 def _stride(values, cell):
     """Every how many cells a number fits; cell: inches."""
     widest = max(len(words.short(value)) for value in values) + 0.5
-    return max(1, int(np.ceil(widest * GLYPH * TICK_SIZE / 72 / cell)))
+    return max(1, int(np.ceil(widest * GLYPH * points(TICK_SIZE) / 72 / cell)))
 
 
 def _title(axes, text, width):
     """A title in as many lines as the panel's width (inches) asks for."""
-    letters = max(int(width * 72 / (GLYPH * TITLE_SIZE)), 8)
-    axes.set_title("\n".join(textwrap.wrap(text, letters)), fontsize=TITLE_SIZE)
+    letters = max(int(width * 72 / (GLYPH * points(TITLE_SIZE))), 8)
+    axes.set_title("\n".join(textwrap.wrap(text, letters)), fontsize=points(TITLE_SIZE))
 
 
 def short_fraction(value):

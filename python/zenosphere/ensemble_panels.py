@@ -1,21 +1,27 @@
 """Draws the panels of an ensemble: probabilities, maps, and where they cross one half."""
 
 import numpy as np
+from matplotlib.lines import Line2D
 
 from . import words
+from .pictures import COLOURS, INK, points
 from .proportions import fraction, wilson_interval
 
-# Okabe & Ito's palette; with the markers, distinct to every kind of colour vision and in grey.
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#1b2a41")
 MARKERS = "osD^vPX"
-DOTS_PER_INCH = 200
 MAP = "cividis"  # even in lightness for every kind of colour vision
-NAMES = {
+NAMES = {  # symbol, and name with its unit
     "system.restitution": ("$e$", "Restitution $e$"),
     "system.solids_volume_fraction": (r"$\phi$", r"Solids volume fraction $\phi$"),
     "system.spheres": ("$N$", "Number of spheres $N$"),
-    "drive.shear_rate": (r"$\dot\gamma$", r"Shear rate $\dot\gamma$"),
+    "drive.shear_rate": (r"$\dot\gamma$", r"Shear rate $\dot\gamma$ (1/time unit)"),
+    "start.granular_temperature": (
+        "$T_0$", "Granular temperature $T_0$ of the start (diameters/time unit)$^2$"),
+    "walls.restitution": (r"$e_\mathrm{wall}$", r"Restitution of the walls $e_\mathrm{wall}$"),
+    "collision.contact_duration": ("$t_c$", "Contact duration $t_c$ (time units)"),
+    "collapse.gap_threshold": ("threshold", "Gap threshold (diameters)"),
+    "collapse.window": ("window", "Window of the arrest (collisions)"),
 }
+HOLLOW = "hollow: P does not cross 1/2 in the range"
 TITLES = {"separation": "separation criterion met", "arrest": "arrest criterion met",
           "false positive": "met, and left or still met", "open": "of these, still met at the end"}
 
@@ -68,7 +74,7 @@ def outer_labels(axes, shape, place, x_label, y_label):
     else:
         axes.tick_params(labelbottom=False)
     if place[1] == 0:
-        axes.set_ylabel(y_label, fontsize=9)
+        axes.set_ylabel(y_label, fontsize=points(9))
     else:
         axes.tick_params(labelleft=False)
 
@@ -92,6 +98,22 @@ def boundary(axes, values, crossings, style, span, shift=1.0):
                       color=style[0], marker=style[1], markersize=4, linewidth=0.8, elinewidth=0.8,
                       capsize=2, markeredgewidth=0, zorder=3)
     for value, each in zip(values, crossings):
-        if each.how in ("below", "above"):
+        if is_outside(each):
             axes.plot(value * shift, span[each.how == "above"], style[1], color=style[0],
                       markerfacecolor="white", markersize=4, clip_on=False, zorder=4)
+
+
+def is_outside(crossing):
+    """Whether P is on one side of 1/2 in the whole range: a hollow mark."""
+    return crossing.how in ("below", "above")
+
+
+def series_handles(key, values, has_hollow=False):
+    """For a legend: which colour and marker is which value of a key, and what a hollow mark is."""
+    handles = [Line2D([], [], color=colour, marker=marker, markersize=4, linewidth=0.8,
+                      markeredgewidth=0, label=said(key, value))
+               for value, (colour, marker) in zip(values, styles(len(values)))] if key else []
+    if has_hollow:
+        handles.append(Line2D([], [], color=INK, marker="o", markersize=4, linewidth=0,
+                              markerfacecolor="white", label=HOLLOW))
+    return handles

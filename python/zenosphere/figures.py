@@ -5,6 +5,9 @@ from typing import Callable
 
 from . import anatomy_panels, panels, windows
 from .errors import OutputError
+from .pictures import Pictures
+
+USUAL = Pictures(formats=("png", "pdf"))
 
 
 @dataclass(frozen=True)
@@ -15,6 +18,7 @@ class FigurePlan:
     draw: Callable  # of panels: (axes, run, window)
     window: Callable  # of windows: run -> (first, last); of an anatomy: run -> which one
     caption: str
+    rows: int = 1  # of panels
 
 
 FALSE_POSITIVE = (
@@ -48,7 +52,8 @@ ANY_RUN = (
 WHAT_COLLAPSES = {
     which: (
         FigurePlan(f"{which}-decay", anatomy_panels.decay, lambda _, name=which: name,
-                   f"Gaps, speeds and flights of the cluster that collapses, up to the {moment}."),
+                   f"Gaps, speeds and flights of the cluster that collapses, up to the {moment}.",
+                   rows=3),
         FigurePlan(f"{which}-cluster", anatomy_panels.cluster, lambda _, name=which: name,
                    f"The cluster at the {moment}, with the contacts that repeat."),
         FigurePlan(f"{which}-pairs", anatomy_panels.raster, lambda _, name=which: name,
@@ -57,17 +62,18 @@ WHAT_COLLAPSES = {
 }
 
 
-def draw_paper_figures(run, plans, folder):
+def draw_paper_figures(run, plans, folder, pictures=USUAL):
     """Draws the paper's figures of one run; needs its complete collision log.
 
     run: RunFile;  plans: FALSE_POSITIVE or TRUE_COLLAPSE;  folder: Path, made where missing
+    pictures: Pictures
     Returns the paths written. Raises InputError, OutputError.
     """
     run.complete_collisions()
-    return _drawn(run, plans, folder, prefix="")
+    return _drawn(run, plans, folder, pictures, prefix="")
 
 
-def draw_general_figures(run, folder):
+def draw_general_figures(run, folder, pictures=USUAL):
     """Draws ANY_RUN of one run and WHAT_COLLAPSES, files named after it; a part of a log will do.
 
     Returns the paths written. Raises InputError, OutputError.
@@ -75,7 +81,7 @@ def draw_general_figures(run, folder):
     plans = ANY_RUN
     for which, anatomy in WHAT_COLLAPSES.items():
         plans += anatomy if run.dissection(which) else ()
-    return _drawn(run, plans, folder, prefix=f"{run.name}-")
+    return _drawn(run, plans, folder, pictures, prefix=f"{run.name}-")
 
 
 def captions(prefix=""):
@@ -88,7 +94,7 @@ def captions(prefix=""):
     return {prefix + plan.name: plan.caption for plan in plans}
 
 
-def _drawn(run, plans, folder, prefix):
+def _drawn(run, plans, folder, pictures, prefix):
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -96,5 +102,6 @@ def _drawn(run, plans, folder, prefix):
                           " choose another one with -o") from error
     written = []
     for plan in plans:
-        written += panels.save(plan.draw, run, plan.window(run), folder / (prefix + plan.name))
+        written += panels.save(plan.draw, run, plan.window(run), folder / (prefix + plan.name),
+                               pictures, plan.rows)
     return written

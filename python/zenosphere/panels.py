@@ -1,49 +1,56 @@
 """Draws one panel of a run."""
 
-import matplotlib
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
 
 from . import windows, words
-from .errors import OutputError
+from .pictures import HEIGHT, HIT_COLOUR, INK, MARK_COLOUR, WIDTH, points
 from .run_file import HIT
 from .thinning import PLOT_FLOOR, PLOT_LIMIT, plotted_separation, thinned
 
-# Okabe & Ito's palette, distinct to every kind of colour vision and in grey print.
-INK, HIT_COLOUR, MARK_COLOUR = "#1b2a41", "#d55e00", "#0072b2"
-WIDTH, HEIGHT = 5.2, 3.4  # inches
 DOTS_PER_INCH = 300
-
-STYLE = {
-    "font.family": "STIXGeneral", "mathtext.fontset": "stix", "font.size": 10,
-    "axes.labelsize": 10, "axes.linewidth": 0.7, "xtick.labelsize": 9, "ytick.labelsize": 9,
-    "xtick.direction": "in", "ytick.direction": "in", "xtick.top": True, "ytick.right": True,
-    "legend.fontsize": 8.5, "legend.frameon": False, "pdf.fonttype": 42,
-}
+EDGE = 0.04  # inches, free around a figure
+ROW = 0.75  # inches that a further row adds
+MARGINS = {"left": 0.76, "right": 0.62, "bottom": 0.48, "top": 0.54}  # inches, at full text size
 
 
-def save(draw, run, window, path):
-    """Writes one figure as path.png and path.pdf and returns the two paths.
+def save(draw, run, window, path, pictures, rows=1):
+    """Writes one figure in every format and returns the paths.
 
-    draw:   a panel of this module or of anatomy_panels
-    window: (first, last) collision numbers shown, or what else `draw` takes
-    path:   Path without suffix
+    draw:     a panel of this module or of anatomy_panels; takes a column of axes if rows > 1
+    window:   (first, last) collision numbers shown, or what else `draw` takes
+    path:     Path without suffix
+    pictures: Pictures
     Raises OutputError where a file cannot be written.
     """
-    with matplotlib.rc_context(STYLE):
-        figure = Figure(figsize=(WIDTH, HEIGHT), dpi=DOTS_PER_INCH)
-        axes = figure.add_axes([0.145, 0.14, 0.735, 0.70])
-        draw(axes, run, window)
-        written = [path.parent / f"{path.name}.{suffix}" for suffix in ("png", "pdf")]
-        for target in written:
-            metadata = {"CreationDate": None} if target.suffix == ".pdf" else None
-            try:
-                figure.savefig(target, metadata=metadata)
-            except OSError as error:
-                raise OutputError(f"{target}: cannot be written ({error.strerror});"
-                                  " choose another folder with -o") from error
-    return written
+    with pictures.style():
+        width, height = size = pictures.inches(WIDTH, HEIGHT + ROW * (rows - 1))
+        left, right, bottom, top = (points(margin) for margin in MARGINS.values())
+        figure = Figure(figsize=size, dpi=DOTS_PER_INCH)
+        figure.subplots_adjust(left / width, bottom / height, 1 - right / width, 1 - top / height,
+                               hspace=0.08)
+        column = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]
+        draw(column if rows > 1 else column[0], run, window)
+        _make_room(figure, column)
+        return pictures.write(figure, path, DOTS_PER_INCH)
+
+
+def _make_room(figure, column):
+    """Moves the left edge of the panels so that no name of a pair is cut."""
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    left = min(axes.yaxis.get_tightbbox(renderer).x0 for axes in column) / figure.dpi
+    if left < EDGE:
+        more = (EDGE - left) / figure.get_figwidth()
+        figure.subplots_adjust(left=figure.subplotpars.left + more)
+
+
+def above(axes, text, lift, **style):
+    """Text over the left end of a panel; lift: of its foot, points."""
+    axes.annotate(text.replace(words.SPACE, " "), xy=(0, 1), xycoords="axes fraction",
+                  xytext=(0, points(lift)), textcoords="offset points", va="bottom",
+                  annotation_clip=False, **style)  # mathtext has no no-break space
 
 
 def separation(axes, run, window):
@@ -59,11 +66,10 @@ def separation(axes, run, window):
     _ticks(axes, k[hit], height[hit])
     _separation_scale(axes, run, height)
     axes.set_ylabel("Separation of the next pair (diameters)")
-    axes.yaxis.set_label_coords(-0.14, 0.5)
     _collision_scale(axes, run, window)
     if hit.any():
         name = "hits, drawn\nat $10^{-17}$" if run.threshold == PLOT_LIMIT else "ticks: hits"
-        axes.text(1.012, PLOT_FLOOR, name, color=HIT_COLOUR, fontsize=8, va="center",
+        axes.text(1.012, PLOT_FLOOR, name, color=HIT_COLOUR, fontsize=points(8), va="center",
                   linespacing=1.05, transform=axes.get_yaxis_transform())
     else:
         _remark(axes, "separation criterion not met here" if k.size else
@@ -80,7 +86,7 @@ def time(axes, run, window):
         axes.plot(k[drawn], clock[drawn] * (rate or 1), color=INK, linewidth=1.0)
         if hits.size:
             _ticks(axes, hits, np.full(len(hits), 0.02), transform=axes.get_xaxis_transform())
-            axes.text(1.012, 0.02, "hits", color=HIT_COLOUR, fontsize=8, va="center",
+            axes.text(1.012, 0.02, "hits", color=HIT_COLOUR, fontsize=points(8), va="center",
                       transform=axes.transAxes)
     if window[1] == run.collisions.last and run.verdict != "true":
         _collision_rate(axes, run, rate)
@@ -103,10 +109,11 @@ def pairs_raster(axes, run, window, most=12):
     names = [""] * min(len(counts), most)
     for place, (first, second) in zip(rank, pairs.T):
         if place < most:
-            names[place] = f"{first}\N{EN DASH}{second}"
+            names[place] = words.pair(run, first, second)
     if len(counts) > most:
-        names.append(f"{len(counts) - most} others")
-    axes.set_yticks(range(len(names)), names, fontsize=7.5)
+        rest = len(counts) - most
+        names.append(f"{rest} other" + ("s" if rest > 1 else ""))
+    axes.set_yticks(range(len(names)), names, fontsize=points(7.5))
     axes.set_ylim(len(names) - 0.4, -0.6)
     axes.set_ylabel("Pair that collides")
     _collision_scale(axes, run, window)
@@ -132,7 +139,7 @@ def _collision_rate(axes, run, shear_rate):
     rate = words.short(averages["collision_rate"] / scale, 4)
     axes.text(0.97, 0.07, f"{rate} collisions per sphere per unit {unit}\n"
                           f"({unit} {begin} to {end})",
-              ha="right", fontsize=8, linespacing=1.1, transform=axes.transAxes)
+              ha="right", fontsize=points(8), linespacing=1.1, transform=axes.transAxes)
 
 
 def _separation_scale(axes, run, height):
@@ -147,7 +154,7 @@ def _separation_scale(axes, run, height):
     axes.yaxis.set_minor_formatter(FuncFormatter(lambda value, _: ""))
     if run.threshold > 0:
         axes.axhline(run.threshold, color="black", linewidth=0.8, linestyle=(0, (5, 2)))
-        axes.text(1.012, run.threshold, f"threshold\n{_power(run.threshold)}", fontsize=8,
+        axes.text(1.012, run.threshold, f"threshold\n{_power(run.threshold)}", fontsize=points(8),
                   va="bottom", linespacing=1.05, transform=axes.get_yaxis_transform())
 
 
@@ -166,24 +173,19 @@ def _collision_scale(axes, run, window):
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: words.grouped(round(value))))
     axes.set_xlabel("Number of collisions")
     _marks(axes, run, window)
-    axes.text(0, 1.155, _heading(run), transform=axes.transAxes, va="bottom", fontsize=9.5)
+    above(axes, _heading(run), 27, fontsize=points(9.5))
     if not run.collisions.complete:
         _remark(axes, "the log holds a part of the run only", y=0.9)
 
 
 def _heading(run):
-    parts = []
-    restitution, fraction = (run.setting("system", key)
-                             for key in ("restitution", "solids_volume_fraction"))
-    if restitution is not None:
-        parts.append(f"$e = {words.short(restitution)}$")
-    parts.append(f"$N = {run.spheres}$")
+    parts = words.restitutions(run) + [f"$N = {run.spheres}$"]
+    fraction = run.setting("system", "solids_volume_fraction")
     if fraction is not None:
         parts.append(rf"$\phi = {words.short(fraction)}$")
     window = run.arrest.get("window")
     among = f" (window {words.grouped(window)} collisions)" if window else ""
-    heading = ",  ".join(parts) + f";  verdict: $\\bf{{{run.verdict}}}${among}"
-    return heading.replace(words.SPACE, " ")  # mathtext has no no-break space
+    return ",  ".join(parts) + f";  verdict: $\\bf{{{run.verdict}}}${among}"
 
 
 def marks(run):
@@ -194,8 +196,9 @@ def marks(run):
     found, hits = [], run.separation
     if hits["first_collision"] is not None:
         number = hits["first_collision"]
-        found.append((number, f"first hit {words.grouped(number)}\n"
-                              f"({words.short(words.per_sphere(run, number), 3)} per sphere)"))
+        each = words.short(words.per_sphere(run, number), 3)
+        found.append((number, f"first hit {words.grouped(number)}" + (
+            f"\n({each} per sphere)" if run.spheres > 1 else "")))
     if run.arrest["met"]:
         number = run.arrest["collision"]
         begin = windows.run_of_hits_begins(run)
@@ -215,15 +218,15 @@ def _marks(axes, run, window):
     for place, (number, label) in zip(places, inside):
         axes.axvline(number, color=MARK_COLOUR, linewidth=0.7, alpha=0.9)
         axes.annotate(label, xy=(number, 1), xycoords=axes.get_xaxis_transform(),
-                      xytext=(place, 1.035), textcoords="axes fraction", ha="center", va="bottom",
-                      fontsize=8, linespacing=1.1, color=MARK_COLOUR, annotation_clip=False,
+                      xytext=(place, points(6)), textcoords=("axes fraction", "offset points"),
+                      ha="center", va="bottom",
+                      fontsize=points(8), linespacing=1.1, color=MARK_COLOUR, annotation_clip=False,
                       arrowprops={"arrowstyle": "-", "color": MARK_COLOUR, "linewidth": 0.7,
                                   "shrinkA": 0, "shrinkB": 0, "relpos": (0.5, 0)})
     if not inside:
         state = ("no hit and no arrest in the run" if run.separation["first_collision"] is None
                  else "first hit, last hit and arrest lie outside this window")
-        axes.text(0, 1.035, state, transform=axes.transAxes, va="bottom", fontsize=8,
-                  color=MARK_COLOUR)
+        above(axes, state, 6, fontsize=points(8), color=MARK_COLOUR)
 
 
 def _spread(places, apart=0.2):
@@ -239,5 +242,6 @@ def _spread(places, apart=0.2):
 
 
 def _remark(axes, text, y):
-    axes.text(0.5, y, text, transform=axes.transAxes, ha="center", fontsize=9, style="italic",
+    axes.text(0.5, y, text, transform=axes.transAxes, ha="center", fontsize=points(9),
+              style="italic",
               bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 2})

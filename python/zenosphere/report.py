@@ -57,6 +57,7 @@ def _facts(run):
 def _case_facts(run):
     start, drive = run.case.get("start", {}), run.case.get("drive", {})
     yield "restitution e", words.short(run.setting("system", "restitution"))
+    yield "restitution of the walls", words.short(run.setting("walls", "restitution"))
     yield "spheres N", words.grouped(run.spheres)
     yield "solids volume fraction", words.short(run.setting("system", "solids_volume_fraction"))
     yield "start", (f"{start.get('arrangement', '?')}, granular temperature"

@@ -1,18 +1,17 @@
 """The figures and the table of an adaptive search: where the runs went, and what they found."""
 
-import matplotlib
 import numpy as np
 
 from . import ensemble_panels as panels
 from .crossing import Crossing
-from .ensemble_figures import figure_grid, made_folder, saved, series_legend
+from .ensemble_figures import figure_grid, made_folder
 from .ensemble_table import write_csv
-from .panels import STYLE
+from .pictures import Pictures, points
 
 MOST_PANELS = 24
 
 
-def draw_search(ensemble, folder):
+def draw_search(ensemble, folder, pictures=Pictures()):
     """Writes boundaries.csv, search.png and, over numeric keys, boundary.png; returns the paths.
 
     Raises OutputError.
@@ -21,20 +20,21 @@ def draw_search(ensemble, folder):
     rows = ensemble.boundaries()
     written = [write_csv(folder / "boundaries.csv", rows)]
     for name, draw in (("search", _searches), ("boundary", _boundaries)):
-        with matplotlib.rc_context(STYLE):
-            figure = draw(ensemble, rows)
-            written += saved(figure, folder / f"{name}.png") if figure else []
+        with pictures.style():
+            figure = draw(ensemble, rows, pictures)
+            written += pictures.write(figure, folder / name) if figure else []
     return written
 
 
-def _searches(ensemble, rows):
+def _searches(ensemble, rows, pictures):
     """Each run in turn at its x, filled where the criterion was met; the interval as a band."""
     rows = rows[:MOST_PANELS]
     columns = min(len(rows), 4)
     key, criterion = rows[0]["axis"], rows[0]["criterion"]
     heading = (f"{sum(row['runs'] for row in ensemble.boundaries())} runs; filled:"
                f" {panels.TITLES[criterion]}; band: 95 % interval of P = 1/2")
-    figure, grid = figure_grid(heading, -(-len(rows) // columns), columns, (2.0, 1.7), sharey=True)
+    figure, grid = figure_grid(pictures, heading, -(-len(rows) // columns), columns, (2.0, 1.7),
+                               sharey=True)
     for axes in grid.flat[len(rows):]:
         axes.set_axis_off()
     for (place, axes), row in zip(np.ndenumerate(grid), rows):
@@ -48,7 +48,7 @@ def _searches(ensemble, rows):
                     for name, end in (("low", "from"), ("high", "to"))]
             axes.axhspan(*ends, color=panels.COLOURS[4], alpha=0.35, linewidth=0)
         axes.set_title(", ".join(panels.said(each, row[each]) for each in _others(row))
-                       + f" ({row['finding']})", fontsize=7.5)
+                       + f" ({row['finding']})", fontsize=points(7.5))
         panels.outer_labels(axes, grid.shape, place, "Run", panels.label(key))
     return figure
 
@@ -58,7 +58,7 @@ def _others(row):
     return [key for key in row if "." in key]
 
 
-def _boundaries(ensemble, rows):
+def _boundaries(ensemble, rows, pictures):
     """The places found against the first numeric key, a series for each value of the second."""
     numeric = [axis for axis in ensemble.axes if axis.key in _others(rows[0]) and axis.is_numeric
                and len(axis.values) > 1]
@@ -67,7 +67,9 @@ def _boundaries(ensemble, rows):
     key, values = numeric[0].key, numeric[0].values
     other = numeric[1] if len(numeric) > 1 else None
     crossings = {tuple(row[axis.key] for axis in numeric[:2]): crossing_of(row) for row in rows}
-    figure, grid = figure_grid("bars: 95 %", 1, 1, (3.6, 2.4))
+    handles = panels.series_handles(*(other.key, other.values) if other else (None, ()), any(
+        panels.is_outside(each) for each in crossings.values()))
+    figure, grid = figure_grid(pictures, "bars: 95 %", 1, 1, (3.6, 2.4), handles)
     span = rows[0]["from"], rows[0]["to"]
     series_values = other.values if other else (None,)
     for series, style in zip(series_values, panels.styles(len(series_values))):
@@ -75,9 +77,7 @@ def _boundaries(ensemble, rows):
         panels.boundary(grid[0, 0], values, found, style, span)
     grid[0, 0].set_xlabel(panels.label(key))
     grid[0, 0].set_ylabel(f"{panels.symbol(rows[0]['axis'])} where P = 1/2:\n"
-                          + panels.TITLES[rows[0]["criterion"]], fontsize=9)
-    if other:
-        series_legend(grid[0, 0], other.key, other.values)
+                          + panels.TITLES[rows[0]["criterion"]], fontsize=points(9))
     return figure
 
 

@@ -30,7 +30,7 @@ inline constexpr std::array overlap_words{
     Word{"guarded", OverlapRule::guarded}, Word{"stop", OverlapRule::stop}};
 inline constexpr std::array law_words{Word{"constant", RestitutionLaw::constant},
                                       Word{"viscoelastic", RestitutionLaw::viscoelastic},
-                                      Word{"fixed_loss", RestitutionLaw::fixed_loss}};
+                                      Word{"fixed-loss", RestitutionLaw::fixed_loss}};
 inline constexpr std::array log_words{Word{"all", CollisionLog::all},
                                       Word{"window", CollisionLog::window},
                                       Word{"none", CollisionLog::none}};

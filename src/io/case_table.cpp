@@ -52,7 +52,7 @@ constexpr Condition only_viscoelastic = {
 constexpr Condition only_fixed_loss = {
     {"collision.restitution_law", ""},
     [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::fixed_loss; },
-    "collision.restitution_law = \"fixed_loss\""};
+    "collision.restitution_law = \"fixed-loss\""};
 constexpr Condition only_sheared = {{"drive.kind", ""},
                                     [](const Case& c) { return c.drive.kind == DriveKind::shear; },
                                     "drive.kind = \"shear\""};

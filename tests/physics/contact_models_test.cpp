@@ -60,7 +60,7 @@ const Changes kTc{"collision.contact_duration=1e-3"};
 const Changes kViscoelastic{"collision.restitution_law=viscoelastic",
                             "collision.viscoelastic_constant=0.3"};
 const Changes kRotation{"collision.rotation_angle=0.1"};
-const Changes kFixedLoss{"collision.restitution_law=fixed_loss", "collision.energy_loss=0.5"};
+const Changes kFixedLoss{"collision.restitution_law=fixed-loss", "collision.energy_loss=0.5"};
 
 // Without a model the flights shrink by 0.3125 and sum up to 40/11. With t_c = 1e-6 the collisions
 // become elastic after ln(2.5e6)/ln(3.2) = 13 of them; then the energy stays, and three elastic
@@ -127,7 +127,7 @@ TEST(FixedLossLaw, EndsTheCollapseOfThreeRodsInEveryPrecision) {
   for (const std::string precision : {"double", "extended", "quad", "digits100"}) {
     for (const std::string loss : {"1e-2", "1e-4", "1e-6"}) {
       const Summary run =
-          three_rods({"collision.restitution_law=fixed_loss", "collision.energy_loss=" + loss,
+          three_rods({"collision.restitution_law=fixed-loss", "collision.energy_loss=" + loss,
                       "collision.precision=" + precision});
       EXPECT_EQ(run.verdict, "none") << precision << ' ' << loss;
       EXPECT_EQ(run.time, 30) << precision << ' ' << loss;
@@ -148,7 +148,7 @@ granular_temperature = 1
 [drive]
 kind = "none"
 [collision]
-restitution_law = "fixed_loss"
+restitution_law = "fixed-loss"
 energy_loss = 0.0078125
 [run]
 collisions = 3000

@@ -136,7 +136,7 @@ std::string contact(RandomSystem& system, Dice& dice) {
     system.restitution.reset();
   }
   if (model == 3) {
-    text += fmt::format("restitution_law = \"fixed_loss\"\nenergy_loss = {}\n",
+    text += fmt::format("restitution_law = \"fixed-loss\"\nenergy_loss = {}\n",
                         0.1 * system.speed * system.speed);
     system.restitution.reset();
   }

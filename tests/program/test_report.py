@@ -53,7 +53,7 @@ def test_page_says_what_info_says(page, program):
 
 def test_page_names_the_law_of_a_run_without_a_constant_restitution(program):
     program("run", "case.toml", "--quiet", "-o", "out.h5", "--set", "run.collisions=100", "--set",
-            "collision.restitution_law=fixed_loss", "--set", "collision.energy_loss=0.1")
+            "collision.restitution_law=fixed-loss", "--set", "collision.energy_loss=0.1")
     program("report", "out.h5", "-o", "page.html")
     values = blocks(program.folder / "page.html")["run"]["values"]
     assert (values["restitution"], values["restitution_law"]) == (None, "fixed loss")

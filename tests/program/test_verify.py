@@ -176,7 +176,7 @@ WALLED = ["--set", "drive.kind=none", "--set", "drive.shear_rate=0", "--set", "w
           "--set", "walls.restitution=0.8", "--set", "start.arrangement=random"]
 VISCOELASTIC = ["--set", "collision.restitution_law=viscoelastic", "--set",
                 "collision.viscoelastic_constant=0.3"]
-FIXED_LOSS = ["--set", "collision.restitution_law=fixed_loss", "--set", "collision.energy_loss=0.1"]
+FIXED_LOSS = ["--set", "collision.restitution_law=fixed-loss", "--set", "collision.energy_loss=0.1"]
 
 
 @pytest.mark.parametrize("words", [LASTING, VISCOELASTIC, [*LASTING, *VISCOELASTIC],

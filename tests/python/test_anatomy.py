@@ -87,9 +87,56 @@ def test_panels_of_hit_and_arrest_are_drawn(run_path, tmp_path):
 def test_panels_are_drawn_where_little_is_known(run_path, panel, content):
     write_anatomy(run_path, "arrest", **content)
     with RunFile(run_path) as run:
-        axes = Figure().add_subplot()
-        panel(axes, run, "arrest")
-        assert axes.get_xlabel() and axes.texts
+        axes = Figure().subplots(3)
+        panel(axes if panel is anatomy_panels.decay else axes[-1], run, "arrest")
+        assert axes[-1].get_xlabel() and axes[-1].texts
+
+
+def decay_of(path):
+    """Axes of the decay of an arrest, each with what is said in it."""
+    with RunFile(path) as run:
+        axes = Figure().subplots(3)
+        anatomy_panels.decay(axes, run, "arrest")
+        return [(each, each.texts[0].get_text()) for each in axes]
+
+
+def test_line_is_drawn_where_the_decay_is_geometric(run_path):
+    write_anatomy(run_path, "arrest")
+    for (axes, said), factor in zip(decay_of(run_path), ("0.125", "0.4", "0.3125")):
+        assert len(axes.lines) == 2  # the marks and the line
+        assert said.startswith(rf"$\times\,{factor}$ per collision")
+
+
+def test_sawtooth_gets_no_line_but_a_remark(run_path):
+    write_anatomy(run_path, "arrest", steps=60)
+    with h5py.File(run_path, "a") as file:  # strokes of ten collisions, renewed each time
+        speeds = file["zenosphere/anatomy/arrest/collisions/normal_speed"]
+        speeds[...] = 0.4 ** (np.arange(60) % 10)
+        file["zenosphere/anatomy/arrest"].attrs["speed_ratio"] = 0.97
+    axes, said = decay_of(run_path)[1]
+    assert len(axes.lines) == 1
+    assert said.startswith("no steady factor")
+
+
+def test_decay_holds_within_a_fifth_of_its_fall():
+    place, pairs = np.arange(20), np.arange(20) % 2
+    fall = 19 * np.log(2)  # of the whole line
+    bent = np.where(place % 4 < 2, 1, -1)
+    for miss, holds in ((0.19, True), (0.21, False)):
+        values = 0.5**place * np.exp(miss * fall * bent)
+        assert anatomy_panels.decay_holds(place, values, pairs, 0.5) == holds
+
+
+def test_decay_of_pairs_that_are_not_alike_holds():
+    place, pairs = np.arange(20), np.arange(20) % 2
+    values = 0.5**place * np.where(pairs, 1e6, 1)
+    assert anatomy_panels.decay_holds(place, values, pairs, 0.5)
+
+
+@pytest.mark.parametrize("count, ratio", [(5, 0.5), (20, np.nan), (20, 1.0), (0, 0.5)])
+def test_decay_of_too_few_values_or_no_factor_does_not_hold(count, ratio):
+    place = np.arange(count)
+    assert not anatomy_panels.decay_holds(place, 0.5**place, place % 2, ratio)
 
 
 def test_plane_shows_a_chain_in_space_at_its_full_length():

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import h5py
+import matplotlib.image
 import numpy as np
 import pytest
 
@@ -31,6 +32,42 @@ def test_both_runs_give_the_papers_seven_figures(e06, e02, tmp_path, capsys):
                  "-o", str(folder)]) == 0
     assert_figures(folder, PAPER)
     assert str(folder / "figure-3b.pdf") in capsys.readouterr().out
+
+
+def test_no_two_of_the_papers_figures_are_the_same_picture(e02, tmp_path):
+    folder = tmp_path / "figures"
+    main(["figures", "--true-collapse", str(e02), "-o", str(folder), "--format", "png"])
+    pictures = [path.read_bytes() for path in folder.iterdir()]
+    assert len(set(pictures)) == len(pictures) == 3
+
+
+def test_figures_have_the_formats_and_the_size_asked_for(e02, tmp_path):
+    folder = tmp_path / "figures"
+    assert main(["figures", "--true-collapse", str(e02), "-o", str(folder), "--format", "svg,png",
+                 "--size", "8.6x6"]) == 0
+    assert {path.suffix for path in folder.iterdir()} == {".svg", ".png"}
+    height, width, _ = matplotlib.image.imread(folder / "figure-4.png").shape
+    assert (width, height) == (int(8.6 / 2.54 * 300), int(6 / 2.54 * 300))
+    assert "<svg" in (folder / "figure-4.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("option, value, reason", [
+    ("--format", "jpg", "'jpg' is none of png, pdf, svg"), ("--format", "", "'' is none of"),
+    ("--size", "8.6", "must be WIDTHxHEIGHT in centimetres"), ("--size", "4x6", "from 5 to 100"),
+    ("--size", "8.6x101", "from 5 to 100")])
+def test_wrong_format_or_size_is_exit_code_2_with_what_there_is(capsys, option, value, reason):
+    with pytest.raises(SystemExit) as stopped:
+        main(["figures", "--run", "run.h5", option, value])
+    assert stopped.value.code == 2
+    assert reason in capsys.readouterr().err
+
+
+def test_same_figure_is_the_same_file(e02, tmp_path):
+    for folder in ("one", "two"):
+        main(["figures", "--true-collapse", str(e02), "-o", str(tmp_path / folder), "--format",
+              "svg,pdf"])
+    for path in (tmp_path / "one").iterdir():
+        assert path.read_bytes() == (tmp_path / "two" / path.name).read_bytes()
 
 
 def test_drawing_says_nothing_on_the_error_stream(e02, tmp_path, capsys, recwarn):

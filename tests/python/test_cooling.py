@@ -136,7 +136,7 @@ def test_viscoelastic_run_is_fitted_with_the_power_five_thirds(tmp_path):
     assert main(["cooling", str(path), "-o", str(tmp_path / "cooling.png")]) == 0
 
 
-FIXED_LOSS = 'restitution_law = "fixed_loss"\nenergy_loss = 0.1\n'
+FIXED_LOSS = 'restitution_law = "fixed-loss"\nenergy_loss = 0.1\n'
 
 
 def test_run_with_a_fixed_loss_is_fitted_and_named(tmp_path):
@@ -152,3 +152,16 @@ def test_losses_are_not_counted_where_some_collisions_are_elastic(tmp_path, coll
     path = write_cooling(tmp_path / "run.h5", [1, 0.9], log=([0.1], [1.0]), collision=collision)
     with RunFile(path) as run:
         assert cooling.temperature_of_collisions(run, 1.0)[0].size == 0
+
+
+def test_figure_of_cooling_has_the_formats_asked_for(tmp_path):
+    path = write_cooling(tmp_path / "run.h5", haff(np.arange(9), 2.0))
+    assert main(["cooling", str(path), "-o", str(tmp_path / "haff.png"), "--format",
+                 "pdf,svg"]) == 0
+    assert {each.name for each in tmp_path.glob("haff.*")} == {"haff.pdf", "haff.svg"}
+
+
+def test_figure_of_cooling_refuses_a_suffix_that_is_no_format(tmp_path, capsys):
+    path = write_cooling(tmp_path / "run.h5", haff(np.arange(9), 2.0))
+    assert main(["cooling", str(path), "-o", str(tmp_path / "haff.jpg")]) == 2
+    assert ".jpg names no format" in capsys.readouterr().err

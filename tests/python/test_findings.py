@@ -12,7 +12,7 @@ from zenosphere.ensemble import Ensemble
 from zenosphere.ensemble_maps import FINDINGS, finding_maps, short_fraction
 from zenosphere.ensemble_slices import chosen_parts, slices
 from zenosphere.findings import KINDS, finding_rows
-from zenosphere.panels import STYLE
+from zenosphere.pictures import Pictures
 
 AXES = {"system.restitution": (0.1, 0.3), "system.solids_volume_fraction": (0.2, 0.4)}
 OUTCOMES = (  # first hit, arrest, finding, verdict: one run each
@@ -37,8 +37,8 @@ def store(tmp_path):
 def drawn(store):
     """The map of findings of a store with one set of figures."""
     part, = slices(Ensemble(store), chosen_parts(Ensemble(store)))
-    with matplotlib.rc_context(STYLE):
-        return finding_maps(part, "heading", 7.0)
+    with Pictures().style():
+        return finding_maps(part, "heading", Pictures())
 
 
 def test_each_run_with_hits_has_one_kind(store):
@@ -65,7 +65,7 @@ def test_table_has_the_share_that_is_real_with_its_interval(store):
 
 
 def test_map_shows_every_kind_that_occurs_within_1400_pixels(store, tmp_path):
-    drawn(store).savefig(tmp_path / "findings.png")
+    drawn(store).savefig(tmp_path / "findings.png", dpi=200)
     image = matplotlib.image.imread(tmp_path / "findings.png")
     assert image.shape[1] == 1400
     seen = {tuple((255 * pixel).round().astype(int)) for pixel in

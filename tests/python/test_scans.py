@@ -25,6 +25,7 @@ import scan_three_balls as balls  # noqa: E402
 import scan_three_spheres as spheres  # noqa: E402
 import scan_triple as triple  # noqa: E402
 import scanning  # noqa: E402
+from zenosphere.pictures import STYLE  # noqa: E402
 
 
 def test_overrides_are_written_as_toml():
@@ -261,6 +262,8 @@ def test_uniform_places_have_their_share_at_the_walls():
     np.random.default_rng(1).shuffle(places)
     assert confined.at_wall(places)[0] == pytest.approx(2 * confined.EDGE, abs=1e-3)
     assert confined.folded(places)[1] == pytest.approx(np.ones(25), abs=1e-3)
+
+
 def averages_until(to_time, value):
     """Averages of a summary from strain 20 on, every number being the same."""
     return {"from_time": 20, "to_time": to_time, "granular_temperature": value, "pressure": value,
@@ -363,3 +366,12 @@ def test_stages_resume_one_run_until_it_ends(tmp_path, monkeypatch):
     assert [words[0] for words in calls] == ["run", "resume", "resume"]
     assert "start.seed=2" in calls[0] and calls[1][-1] == "run.time=2"
     assert calls[1][1] == calls[2][1] == calls[0][calls[0].index("-o") + 1]
+
+
+def test_scans_draw_in_the_typeface_of_the_other_figures(tmp_path):
+    with scanning.drawn(tmp_path / "scan.svg") as axes:
+        axes.set(xlabel="restitution $e$")
+        assert axes.xaxis.label.get_fontname() == STYLE["font.family"]
+    assert "<svg" in (tmp_path / "scan.svg").read_text(encoding="utf-8")
+    for script in EXAMPLES.glob("scan_*.py"):
+        assert "import Figure" not in script.read_text(encoding="utf-8")

@@ -34,30 +34,30 @@ TEST(CaseContact, ViscoelasticSpheresHaveAConstantInsteadOfARestitution) {
 }
 
 TEST(CaseContact, AFixedLossIsAnEnergyInsteadOfARestitution) {
-  const std::string fixed = cooling_case + "[collision]\nrestitution_law = \"fixed_loss\"\n";
+  const std::string fixed = cooling_case + "[collision]\nrestitution_law = \"fixed-loss\"\n";
   EXPECT_EQ(problems_of(fixed + "energy_loss = 0.1\n"),
             "e.toml:5:15: system.restitution = 0.9 (only for collision.restitution_law = "
             "\"constant\"); remove it");
-  EXPECT_EQ(objection(cooling_case, "collision.restitution_law=fixed_loss"),
+  EXPECT_EQ(objection(cooling_case, "collision.restitution_law=fixed-loss"),
             "e.toml: missing key collision.energy_loss (physics has no default); add "
             "energy_loss = ... under [collision]");
   EXPECT_EQ(objection(cooling_case, "collision.energy_loss=0.1"),
             "collision.energy_loss = 0.1 (only for collision.restitution_law = "
-            "\"fixed_loss\"); remove it");
+            "\"fixed-loss\"); remove it");
   const std::string given = cooling_case + "[collision]\nenergy_loss = 0.1\n";
   const Case values =
-      parse_case(given, "e.toml", std::vector<std::string>{"collision.restitution_law=fixed_loss"});
+      parse_case(given, "e.toml", std::vector<std::string>{"collision.restitution_law=fixed-loss"});
   EXPECT_EQ(values.collision.restitution_law, RestitutionLaw::fixed_loss);
   EXPECT_EQ(values.collision.energy_loss, 0.1);
   const std::string none = cooling_case + "[collision]\nenergy_loss = 0\n";
-  EXPECT_NE(objection(none, "collision.restitution_law=fixed_loss").find("must be in (0, 1e+300]"),
+  EXPECT_NE(objection(none, "collision.restitution_law=fixed-loss").find("must be in (0, 1e+300]"),
             std::string::npos);
 }
 
 TEST(CaseContact, WordsAndNumbersAreChecked) {
   EXPECT_EQ(objection(cooling_case, "collision.restitution_law=viscous"),
             "collision.restitution_law = \"viscous\" (must be \"constant\", "
-            "\"viscoelastic\" or \"fixed_loss\")");
+            "\"viscoelastic\" or \"fixed-loss\")");
   EXPECT_EQ(objection(cooling_case, "collision.contact_duration=-1"),
             "collision.contact_duration = -1 (must be in [0, 1e+100]; 0 is off)");
   EXPECT_EQ(objection(cooling_case, "collision.rotation_angle=2"),

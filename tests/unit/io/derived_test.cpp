@@ -100,7 +100,7 @@ TEST(DerivedText, TellsTheRestitutionOfViscoelasticSpheres) {
 
 TEST(DerivedText, TellsFromWhichSpeedAFixedEnergyIsLost) {
   const Case values = overridden(
-      cooling_case, {"collision.restitution_law=fixed_loss", "collision.energy_loss=0.16"});
+      cooling_case, {"collision.restitution_law=fixed-loss", "collision.energy_loss=0.16"});
   EXPECT_EQ(line_of(values, "energy lost above the speed"), "0.8 diameters/time");
   EXPECT_EQ(line_of(values, "restitution at the speed 1"), "0.6");  // sqrt(1 - 0.64)
 }
