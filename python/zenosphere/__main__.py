@@ -2,6 +2,7 @@
 `... movie ...` and `... ensemble ...`."""
 
 import argparse
+import os
 import sys
 from contextlib import ExitStack
 from pathlib import Path
@@ -100,7 +101,7 @@ def _ensemble(options):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="python3 -m zenosphere", description=sys.modules[
+    parser = argparse.ArgumentParser(prog=os.environ.get("ZENOSPHERE_COMMAND", "python3 -m zenosphere"), description=sys.modules[
         "zenosphere"].__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 

@@ -14,7 +14,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator
 from . import words
 from .cell import Cell, View
 from .errors import InputError, OutputError
-from .panels import INK, STYLE
+from .pictures import INK, STYLE
 
 WIDTH, HEIGHT = 7.2, 6.4  # inches; even numbers of pixels, which H.264 asks for
 DOTS_PER_INCH = 150

@@ -29,6 +29,7 @@ constexpr std::array examples{
     Example{"figures", "zenosphere figures --run run.h5 -o figures"},
     Example{"report-md", "zenosphere report-md run.h5 -o report.md"},
     Example{"cooling", "zenosphere cooling run.h5 -o cooling.png"},
+    Example{"movie", "zenosphere movie run.h5 -o run.mp4"},
     Example{"ensemble", "zenosphere ensemble study.sqlite -o figures"},
     Example{"completion", "zenosphere completion bash > zenosphere.bash"},
     Example{"manual", "zenosphere manual run | man -l -"},

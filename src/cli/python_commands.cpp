@@ -19,14 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folder that holds the Python package: beside the program in a build, else where it is installed.
-/// Empty where there is none: Python's own path may have it.
+/// Folder that holds the Python package: beside the program in a build, where it is installed, or
+/// around the program where pip has put it into the package. Empty where there is none: Python's
+/// own path may have it.
 fs::path python_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
   const fs::path here = program.parent_path();
-  for (const fs::path& folder : {here / "python", here.parent_path() / ZENOSPHERE_PYTHON_FOLDER}) {
+  for (const fs::path& folder : {here / "python", here.parent_path() / ZENOSPHERE_PYTHON_FOLDER,
+                                 here.parent_path().parent_path()}) {
     if (fs::exists(folder / "zenosphere" / "__init__.py", error)) return folder.lexically_normal();
   }
   return {};
@@ -72,6 +74,7 @@ void add_python_commands(CLI::App& app) {
   add(app, "figures", "draw a run: gaps, time, collisions (Python)");
   add(app, "report-md", "write a Markdown report of runs (Python)");
   add(app, "cooling", "draw the granular temperature against time (Python)");
+  add(app, "movie", "draw the snapshots of a run one after another (Python)");
   add(app, "ensemble", "draw and tabulate a sweep's store (Python)");
 }
 
