@@ -26,9 +26,12 @@ class SelfCheck {
   /// To be called once after each collision, in order.
   void observe(const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation) {
     if (collision.flight >= -clock_rounding_) return;
+    const Real rounding =
+        clock_rounding_ * Real(simulation.stride());  // of what the clock counts in
+    if (collision.flight >= -rounding) return;
     const bool is_rewind = collision.overlapping &&
                            simulation.rules().overlap == OverlapRule::rewind &&
-                           -collision.flight <= simulation.longest_rewind() + clock_rounding_;
+                           -collision.flight <= simulation.longest_rewind() + rounding;
     if (!is_rewind && !violation_) note_disorder(collision);
   }
 
@@ -66,7 +69,7 @@ class SelfCheck {
   void look_at_overlaps(const Simulation<Dim, Real>& simulation,
                         const Configuration<Dim, Real>& state);
 
-  Real clock_rounding_;
+  Real clock_rounding_;  ///< of a clock that counts in single units, time
   Real gathered_rounding_;
   Vector momentum_at_start_;
   Real momentum_scale_ = 0;  ///< largest sum of |v| so far

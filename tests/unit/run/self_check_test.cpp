@@ -57,6 +57,24 @@ TEST(SelfCheck, FindsNothingWhereAFastShearHasNotHeatedTheSpheresYet) {
   EXPECT_EQ(check.violation().value_or(""), "");
 }
 
+TEST(SelfCheck, RoundingOfTheClockIsThatOfItsStride) {
+  // At 1e17 the clock counts in 32 units: 4096 units in the last place of that are 2.9e-11.
+  const Configuration<1, double> start{{{1}, {4}}, {{1e-19}, {-1e-19}}};
+  Simulation<1, double> simulation(ShearBox<1, double>({8}, 0), start, {1.0});
+  SelfCheck<1, double> check(simulation);
+  EXPECT_FALSE(simulation.collision_until(1e17));
+  simulation.wait_until(1e17);
+  ASSERT_EQ(simulation.stride(), 32);
+  Collision<1, double> collision{};
+  collision.flight = -5e-12;
+  check.observe(collision, simulation);
+  EXPECT_EQ(check.violation().value_or(""), "");
+  collision.flight = -1e-10;
+  check.observe(collision, simulation);
+  EXPECT_NE(check.violation().value_or("").find("the clock went -1e-10 forward"),
+            std::string::npos);
+}
+
 TEST_F(SelfCheckTest, FindsMomentumFromNowhere) {
   measurements.kick(simulation, {{0, 0, 1e-6}, {}, {}, {}});
   EXPECT_NE(found().find("momentum along axis 2"), std::string::npos) << found();
