@@ -21,6 +21,9 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& accele
   const auto whole_slide = archive.template next<std::int32_t>();
   require_archived(whole_slide >= 0 && whole_slide < box.cells()[0], "layers that left the box");
   cells_.slide_to(whole_slide);
+  const bool was_wide = archive.template next<bool>();
+  require_archived(settling_.is_wide || !was_wide, "balls as wide as there are none");
+  if (!was_wide) settling_ = settling_in_crowd(box, count());
   find_images();
   for (std::int32_t i = 0; i < count(); ++i) {
     anchor(i) = anchors[static_cast<std::size_t>(i)];
@@ -47,7 +50,7 @@ template <int Dim, class Real>
 void Spheres<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   std::vector<Anchor> anchors;
   for (std::int32_t i = 0; i < count(); ++i) anchors.push_back(anchor(i));
-  archive(spheres_, anchors, std::int32_t{cells_.whole_slide()});
+  archive(spheres_, anchors, std::int32_t{cells_.whole_slide()}, settling_.is_wide);
   std::vector<std::uint32_t> later;
   for (std::int32_t i = 0; i < count(); ++i) {
     later.clear();

@@ -30,11 +30,51 @@ double most_width(int dimension) {
 }
 
 /// Whether spheres cross so many cells between two collisions that their balls should be as wide as
-/// the cells. They are few, so that even all of them make no long list.
-bool fly_far_alone(double free_path, std::int32_t spheres, int dimension) {
-  constexpr std::int32_t few = 400;
-  constexpr double far = 1000;  // in widths: below, the few keep the digits that they have
-  return spheres <= few && free_path > far * most_width(dimension);
+/// the cells.
+bool fly_far_alone(double free_path, int dimension) {
+  constexpr double far = 1000;  // in widths: below, they keep the digits that they have
+  return free_path > far * most_width(dimension);
+}
+
+template <int Dim, class Real>
+double free_path_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
+  return mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
+}
+
+template <int Dim, class Real>
+Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, bool are_alone) {
+  constexpr int grains_of_error = 4;  // of the distance of two anchors; twice that is left
+  double widest = 0;
+  double width = fitting_cell_width(static_cast<double>(box.volume()), spheres, Dim);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double here = static_cast<double>(box.cell_width()[axis]);
+    widest = std::max(widest, here);
+    const bool is_alone = box.is_closed(axis) && box.cells()[static_cast<std::size_t>(axis)] == 2;
+    if (!is_alone) width = std::min(width, here);  // alone but for the empty cell beyond the wall
+  }
+  width = std::min(width, widest);  // what the grains of a cell measure
+  Settling settling{};
+  settling.grain = widest / AnchorCells::grains_a_cell;
+  settling.is_wide = are_alone;
+  // Of places 300 diameters apart 1e-11 diameters^2 are rounding, far below what may_touch()
+  // allows.
+  constexpr double widest_ball = 300;
+  const double most = are_alone ? widest_ball : most_width(Dim);
+  width = std::min(width, std::max(most, 1 + 100 * settling.grain));
+  settling.reach = (width - 1) / 2 - grains_of_error * settling.grain;
+  settling.distance = width;
+  settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / 2
+                                     : std::numeric_limits<double>::infinity();
+  // Which a `float` holds, however long the time unit of the case is.
+  const auto clock_unit = static_cast<double>(box.clock_unit());
+  settling.expiry_unit = box.is_sheared() ? std::ldexp(1.0, std::ilogb(clock_unit)) : 1.0;
+  constexpr std::array<double, 3> unit_balls{2, std::numbers::pi, 4 * std::numbers::pi / 3};
+  settling.neighbours = spheres / static_cast<double>(box.volume()) *
+                        unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(width, Dim);
+  constexpr std::int32_t many = 100;  // fewer are fast anyway, and keep the digits that they have
+  settling.is_dilute =
+      (spheres >= many || are_alone) && free_path_in(box, spheres) > 2 * settling.reach;
+  return settling;
 }
 
 }  // namespace
@@ -51,42 +91,17 @@ double fitting_cell_width(double volume, std::int64_t spheres, int dimension) {
 
 template <int Dim, class Real>
 Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
-  constexpr int grains_of_error = 4;  // of the distance of two anchors; twice that is left
-  double widest = 0;
-  double width = fitting_cell_width(static_cast<double>(box.volume()), spheres, Dim);
-  for (int axis = 0; axis < Dim; ++axis) {
-    const double here = static_cast<double>(box.cell_width()[axis]);
-    widest = std::max(widest, here);
-    const bool is_alone = box.is_closed(axis) && box.cells()[static_cast<std::size_t>(axis)] == 2;
-    if (!is_alone) width = std::min(width, here);  // alone but for the empty cell beyond the wall
-  }
-  width = std::min(width, widest);  // what the grains of a cell measure
-  Settling settling{};
-  settling.grain = widest / AnchorCells::grains_a_cell;
-  const double free_path = mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
-  const bool are_alone = fly_far_alone(free_path, spheres, Dim);
-  // Of places 300 diameters apart 1e-11 diameters^2 are rounding, far below what may_touch()
-  // allows.
-  constexpr double most_alone = 300;
-  const double most = are_alone ? most_alone : most_width(Dim);
-  width = std::min(width, std::max(most, 1 + 100 * settling.grain));
-  settling.reach = (width - 1) / 2 - grains_of_error * settling.grain;
-  settling.distance = width;
-  settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / 2
-                                     : std::numeric_limits<double>::infinity();
-  // Which a `float` holds, however long the time unit of the case is.
-  const auto clock_unit = static_cast<double>(box.clock_unit());
-  settling.expiry_unit = box.is_sheared() ? std::ldexp(1.0, std::ilogb(clock_unit)) : 1.0;
-  constexpr std::array<double, 3> unit_balls{2, std::numbers::pi, 4 * std::numbers::pi / 3};
-  settling.neighbours = spheres / static_cast<double>(box.volume()) *
-                        unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(width, Dim);
-  constexpr std::int32_t many = 100;  // fewer are fast anyway, and keep the digits that they have
-  settling.is_dilute = (spheres >= many || are_alone) && free_path > 2 * settling.reach;
-  return settling;
+  return settling_of(box, spheres, fly_far_alone(free_path_in(box, spheres), Dim));
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real) \
-  template Settling settling_in(const ShearBox<Dim, Real>&, std::int32_t);
+template <int Dim, class Real>
+Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
+  return settling_of(box, spheres, false);
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                  \
+  template Settling settling_in(const ShearBox<Dim, Real>&, std::int32_t); \
+  template Settling settling_in_crowd(const ShearBox<Dim, Real>&, std::int32_t);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

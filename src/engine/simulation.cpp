@@ -1,7 +1,6 @@
 #include "engine/simulation.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -204,11 +203,18 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::settle(std::int32_t i) {
   ++settlings_;
   now_.remainder = std::max(now_.remainder, calendar_.time(i));
-  const Real& meeting = meetings(i).first().time;
-  predict_new(i, spheres_.settle(i, now_.remainder, meeting));
-  // Looked at when they are many, and twice, four times, ... as many.
-  const bool are_many = ++idle_events_ >= 2 * std::int64_t{spheres()} + 1024;
-  if (are_many && std::has_single_bit(static_cast<std::uint64_t>(idle_events_))) look_for_rest();
+  ++idle_events_;
+  if (is_idle() && spheres_.is_far_out(i, now_.remainder)) {
+    come_home();
+    leap();  // nobody has come near: at once, if nobody is near now
+  } else {
+    predict_new(i, spheres_.settle(i, now_.remainder, meetings(i).first().time));
+  }
+  if (spheres_.is_crowded()) [[unlikely]] {
+    spheres_.settle_in_crowd(now_.remainder);
+    for (std::int32_t k = 0; k < spheres(); ++k) predict(k);
+  }
+  if (is_idle()) look_around();
 }
 
 template <int Dim, class Real>

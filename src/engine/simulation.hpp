@@ -109,6 +109,7 @@ class Simulation {
 
   /// Predicts all events anew from where the spheres are: in a state promoted to more digits.
   void predict_anew() {
+    come_home();
     for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
   }
 
@@ -133,6 +134,10 @@ class Simulation {
 
   /// Events since the last collision or kick: spheres that have only been settled.
   std::int64_t idle_events() const { return idle_events_; }
+  /// Whether these are so many that it is looked at what is ahead: of usual systems never.
+  bool is_idle() const { return idle_events_ >= 2 * std::int64_t{spheres()} + 1024; }
+  /// Whether spheres have flown so far since then that their places have no digit left.
+  bool has_lost_places() const;
 
   std::int32_t spheres() const { return spheres_.count(); }
   const ShearBox<Dim, Real>& box() const { return spheres_.box(); }
@@ -219,7 +224,13 @@ class Simulation {
   bool lengthen_stride(double stride);
   void shorten_stride();
   bool only_cools() const;
+  void look_around();
   void look_for_rest();
+  void leap();
+  Real certainly_apart(const Real& least) const;
+  void come_home();
+  std::int32_t fastest() const;
+  Real speed(std::int32_t i) const;
   bool move_as_one() const;
   bool nobody_meets() const;
   Real fastest_beside(const Vector& velocity) const;

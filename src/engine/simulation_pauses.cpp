@@ -2,6 +2,7 @@
 // it is looked at whether anything will ever happen again.
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -11,10 +12,17 @@
 
 namespace zenosphere {
 
+namespace {
+
+constexpr std::int32_t most_in_pairs = 1000;  ///< spheres of which all pairs can be looked at
+
+}  // namespace
+
 template <int Dim, class Real>
 void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   assert(changes.size() == meetings_.size());
   shorten_stride();
+  come_home();
   for (std::int32_t i = 0; i < spheres(); ++i) {
     spheres_.advance(spheres_[i], now_.remainder);
     spheres_[i].velocity += changes[static_cast<std::size_t>(i)];
@@ -26,13 +34,24 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
 }
 
-/// Where spheres have long met nobody: notes whether they never will, and otherwise lets the frame
-/// drift with them where that makes them slow, so that they need not be settled so often.
+/// Looks what is ahead of spheres that have long met nobody: at times that make it cost little.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::look_around() {
+  const auto events = static_cast<std::uint64_t>(idle_events_);
+  if (std::has_single_bit(events)) look_for_rest();
+  const auto pairs = static_cast<std::uint64_t>(spheres()) * static_cast<std::uint64_t>(spheres());
+  const std::uint64_t between = std::bit_ceil(std::max<std::uint64_t>(pairs, 1024));
+  const bool are_few = spheres() <= most_in_pairs;
+  if (are_few && events % between == 0 && !at_rest_ && !box().is_sheared()) leap();
+}
+
+/// Notes whether nobody ever meets, and otherwise lets the frame drift with the spheres where that
+/// makes them slow, so that they need not be settled so often.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::look_for_rest() {
-  if (box().is_sheared()) return;
-  at_rest_ = spheres_.acceleration() == Vector{} && (move_as_one() || nobody_meets());
-  if (at_rest_) return;
+  const bool fly_straight = spheres_.acceleration() == Vector{};
+  at_rest_ = fly_straight && ((!box().is_sheared() && move_as_one()) || nobody_meets());
+  if (at_rest_ || box().is_sheared()) return;
   Vector mean;
   for (std::int32_t i = 0; i < spheres(); ++i) mean += spheres_[i].velocity;
   mean *= Real(1) / Real(spheres());
@@ -75,6 +94,7 @@ Real Simulation<Dim, Real>::fastest_beside(const Vector& velocity) const {
 /// Lets the frame drift faster, and all spheres in it slower.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::move_frame(const Vector& change) {
+  come_home();
   frame_.speed_up(change, now_);
   for (std::int32_t i = 0; i < spheres(); ++i) {
     spheres_.advance(spheres_[i], now_.remainder);
@@ -86,8 +106,7 @@ void Simulation<Dim, Real>::move_frame(const Vector& change) {
 /// Whether it is certain that no sphere ever meets another one or a wall.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::nobody_meets() const {
-  constexpr std::int32_t most = 1000;  // so that all pairs can be looked at
-  if (spheres() > most) return false;
+  if (spheres() > most_in_pairs) return false;
   for (std::int32_t i = 0; i < spheres(); ++i) {
     if (const auto axis = box().closed_axis(); axis && spheres_[i].velocity[*axis] != 0)
       return false;
@@ -100,15 +119,17 @@ bool Simulation<Dim, Real>::nobody_meets() const {
 
 /// Whether two spheres that fly straight may meet in some image: not where they are apart across
 /// the axes along which they move, for good. Along several axes at once they come close one day.
+/// Under shear all images but one move along x.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::may_meet(std::int32_t i, std::int32_t j) const {
   const Vector velocity = spheres_[j].velocity - spheres_[i].velocity;
-  if (velocity == Vector{}) return false;
+  const bool is_one_frame = !box().is_sheared() || spheres_.share_layer(i, j);
+  if (velocity == Vector{} && is_one_frame) return false;
   Vector across = spheres_.shortest_image(spheres_.position_at(spheres_[j], now_.remainder) -
                                               spheres_.position_at(spheres_[i], now_.remainder),
                                           now_.remainder);
   for (int axis = 0; axis < Dim; ++axis) {
-    if (velocity[axis] != 0) across[axis] = 0;
+    if (velocity[axis] != 0 || (axis == 0 && box().is_sheared())) across[axis] = 0;
   }
   const Real margin = approach_margin;
   return dot(across, across) < 1 + margin;
@@ -116,7 +137,7 @@ bool Simulation<Dim, Real>::may_meet(std::int32_t i, std::int32_t j) const {
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                        \
   template void Simulation<Dim, Real>::kick(const std::vector<Vec<Dim, Real>>&); \
-  template void Simulation<Dim, Real>::look_for_rest();
+  template void Simulation<Dim, Real>::look_around();
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

@@ -24,7 +24,9 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
     const std::span<Neighbour> neighbours = neighbours_of(i, 0);
     lists_.replace(i, neighbours, lists_.changes(i, neighbours));
     anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+    is_crowded_ = is_crowded_ || (settling_.is_wide && neighbours.size() > most_alone);
   }
+  if (is_crowded_) settle_in_crowd(0);
 }
 
 /// Spheres that are in no cell and on no list yet.
@@ -65,8 +67,12 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
     sphere.cell = cells_.index(coordinates);
     sphere.velocity = start.velocities[static_cast<std::size_t>(i)];
     sphere.velocity[0] += profile_in_layer(sphere, 0);
+  }
+  // Before there are lists: those of all that are in such a cell would be too long.
+  if (settling_.is_wide && is_crowd_in_a_cell()) settling_ = settling_in_crowd(box_, count());
+  for (std::int32_t i = 0; i < count(); ++i) {
     drop_anchor(i, 0, {});
-    anchor_cells_.insert(i, sphere.cell, anchor(i));
+    anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
   }
 }
 
@@ -199,6 +205,7 @@ Configuration<Dim, Real> Spheres<Dim, Real>::configuration(double units, const R
   state.velocities.reserve(spheres_.size());
   for (Sphere sphere : spheres_) {
     advance(sphere, when);
+    if (!box_.is_sheared()) bring_back(sphere, when);
     go_home(sphere, when, {});
     Vector position = sphere.position;
     if constexpr (Dim > 1) {

@@ -150,6 +150,24 @@ class Spheres {
   /// \return  its new neighbours
   std::span<const Neighbour> settle(std::int32_t i, const Real& when, const Real& meeting);
 
+  /// How far a sphere goes from its anchor, diameters.
+  double reach() const { return settling_.reach; }
+
+  /// Whether a sphere is far outside of its ball: it was known that nobody would meet it there.
+  bool is_far_out(std::int32_t i, const Real& when) const;
+
+  /// Gives a sphere the image of the box to which it has come at `when`, however far that is. Not
+  /// under shear. It stays stored for the time for which it was, and has to be settled then.
+  void bring_back(Sphere& sphere, const Real& when) const;
+
+  /// Whether more spheres are near one than lists should hold that are as wide as the cells.
+  bool is_crowded() const { return is_crowded_; }
+  /// Settles all spheres in balls for a crowd, from now on.
+  void settle_in_crowd(const Real& when);
+
+  /// Whether two spheres are in the frame of one layer.
+  bool share_layer(std::int32_t i, std::int32_t j) const;
+
   /// Sets the clock of all spheres back by `span`; under shear that is one clock unit, and the
   /// layers have slid by one more cell.
   void set_back(const Real& span);
@@ -175,6 +193,7 @@ class Spheres {
   Vector way_to_anchor(const Vector& velocity, const Real& flight) const;
   void drop_anchor(std::int32_t i, const Real& when, const Vector& ahead);
   Vector corner(std::int32_t cell) const;
+  bool is_crowd_in_a_cell() const;
   bool go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
   std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when);
   double slid_columns(const Real& when) const;
@@ -223,6 +242,7 @@ class Spheres {
   bool falls_;           ///< the acceleration is not zero
   bool lanes_are_wide_;  ///< contacts are found four at a time
   Settling settling_;
+  bool is_crowded_ = false;             ///< and the balls are still wide
   std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded
   LargeVector<Sphere> spheres_;
   NeighbourLists lists_;

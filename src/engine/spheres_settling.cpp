@@ -105,6 +105,7 @@ std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real
   }
   lists_.replace(i, neighbours, changes);
   anchor_cells_.insert(i, sphere.cell, anchor(i));
+  is_crowded_ = is_crowded_ || (settling_.is_wide && neighbours.size() > most_alone);
   // What looks at four at once looks beyond the end: at nobody for whom it would have to wait.
   if (!fresh.empty()) std::fill_n(nearby_.data() + changes.fresh, 3, fresh.back());
   return fresh;
@@ -286,6 +287,7 @@ void Spheres<Dim, Real>::set_back(const Real& span) {
   template std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t, const Real&,        \
                                                                  const Real&);                     \
   template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&, const Vec<Dim, Real>&); \
+  template Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t) const;                          \
   template bool Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) const;    \
   template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);      \
   template void Spheres<Dim, Real>::set_back(const Real&);

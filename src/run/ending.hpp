@@ -34,15 +34,16 @@ const char* end_of_collisions(const Simulation<Dim, Real>& simulation,
   return simulation.is_at_rest() && !driving.is_on() ? "at rest" : nullptr;
 }
 
-/// Why a run is over by its time or that of its clock, or because nobody meets for too long;
-/// nullptr where it is not.
+/// Why a run is over by its time or that of its clock, or because nobody meets for too long, or
+/// until no digit of the places is left; nullptr where it is not.
 template <int Dim, class Real>
 const char* end_of_time(const Simulation<Dim, Real>& simulation, const Case& values) {
   const auto& time = values.run.time;
   if (time && simulation.has_reached(*time)) return "time";
   if (simulation.has_reached(end_of_clock<Real>())) return "clock";
-  const bool is_idle = !time && simulation.idle_events() > most_idle_events(simulation.spheres());
-  return is_idle ? "idle" : nullptr;
+  if (time || !simulation.is_idle()) return nullptr;
+  const bool is_too_long = simulation.idle_events() > most_idle_events(simulation.spheres());
+  return is_too_long || simulation.has_lost_places() ? "idle" : nullptr;
 }
 
 }  // namespace zenosphere

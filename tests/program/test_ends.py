@@ -154,3 +154,70 @@ def test_kicks_take_no_momentum_away_in_any_precision(program, precision):
                 "[run]\ntime = 20", restitution=0.8, side=8).replace(
                     'kind = "none"', 'kind = "random"\nnoise_strength = 1\nkick_interval = 0.1')
     assert summary_of(program, text)["ended_by"] == "time"  # and no self-check
+
+
+def test_disks_of_a_slanting_flight_cross_ten_million_boxes_in_one_step(program):
+    # They come 4 nearer across, to a diameter, at 1e-7: at 4e7, and then along the box within 10.
+    text = case("dimension = 2\nspheres = 2\nrestitution = 1\nsides = [10, 10]",
+                "positions = [[2, 2], [7, 7]]\nvelocities = [[1, 1e-7], [0, 0]]",
+                "[run]\ncollisions = 1")
+    summary = summary_of(program, text)
+    # The time of the exact quadratic equation, within four ulps of it.
+    assert summary["collisions"] == 1 and abs(summary["time"] - 40000004.9990001) < 3e-8
+
+
+def test_two_disks_between_fast_rough_walls_collide_with_them_and_each_other(program):
+    text = case("dimension = 2\nspheres = 2\nrestitution = 1\nsides = [10, 10]",
+                "positions = [[2, 5], [7, 3]]\nvelocities = [[0.3, 1], [0.1, -0.7]]",
+                '[walls]\naxis = "y"\nrestitution = 1\ntangential_restitution = -0.5',
+                "lower_speed = -1e6\nupper_speed = 1e6", "[run]\ncollisions = 1000")
+    summary = summary_of(program, text)
+    assert summary["collisions"] == 1000 and summary["self_check"] is None
+    assert summary["ledger_error"] < 1e-10
+    program("verify", "out.h5")
+
+
+def test_state_at_a_time_within_a_leap_is_that_of_the_flight(program):
+    # 2 + t and 2 + 1e-7 t, modulo 10; and what comes later is what comes without the stop.
+    text = case("dimension = 2\nspheres = 2\nrestitution = 1\nsides = [10, 10]",
+                "positions = [[2, 2], [7, 7]]\nvelocities = [[1, 1e-7], [0, 0]]",
+                "[run]\ntime = 2e7")
+    assert summary_of(program, text)["ended_by"] == "time"
+    with h5py.File(program.folder / "out.h5") as file:
+        place = file["particles/spheres/position/value"][-1]
+    np.testing.assert_allclose(place, [[2, 4], [7, 7]], atol=1e-7)
+    program("resume", "out.h5", "--set", "run.time=5e7")
+    resumed = log_times(program)
+    summary_of(program, text.replace("2e7", "5e7"))
+    np.testing.assert_array_equal(log_times(program), resumed)
+
+
+def test_two_spheres_in_a_box_too_large_to_meet_in_are_idle(program):
+    # A mean free path of 1e26 diameters: in 1/epsilon = 4.5e15 their places have no digit left.
+    text = case("dimension = 3\nspheres = 2\nrestitution = 0.9\nsides = [1e9, 1e9, 1e9]",
+                "positions = [[1e8, 2e8, 3e8], [7e8, 1e8, 5e8]]\n"
+                "velocities = [[1, 0.7, 0.3], [-0.6, 0.2, -0.5]]", "[run]\ncollisions = 1")
+    summary = summary_of(program, text)
+    assert (summary["collisions"], summary["outcome"], summary["ended_by"]) == (0, "finished", "idle")
+    assert 1e15 < summary["time"] < 1e16
+
+
+@pytest.mark.parametrize("heights", [(2, 7), (5, 5)])
+def test_spheres_that_shear_carries_past_each_other_for_ever_are_at_rest(program, heights):
+    # Apart across, or at rest relative to each other at one height.
+    text = case("dimension = 2\nspheres = 2\nrestitution = 0.9\nsides = [10, 10]",
+                f"positions = [[2, {heights[0]}], [7, {heights[1]}]]\nvelocities = [[0, 0], [0, 0]]",
+                "[run]\ncollisions = 1")
+    text = text.replace('kind = "none"', 'kind = "shear"\nshear_rate = 1')
+    text = text.replace("velocities = [[0, 0], [0, 0]]",
+                        f"velocities = [[{heights[0] - 5}, 0], [{heights[1] - 5}, 0]]")
+    summary = summary_of(program, text)
+    assert (summary["collisions"], summary["ended_by"]) == (0, "at rest")
+
+
+def test_hundreds_of_spheres_far_apart_meet_as_fast_as_few(program):
+    text = case("dimension = 3\nspheres = 500\nrestitution = 1\nsolids_volume_fraction = 1e-6",
+                "granular_temperature = 1.0\nseed = 1", "[run]\ncollisions = 100")
+    summary = summary_of(program, text.replace('"given"', '"random"'))
+    assert summary["collisions"] == 100 and summary["self_check"] is None
+    program("verify", "out.h5")

@@ -1,0 +1,121 @@
+// How a simulation goes on over many boxes in one step, where spheres are few and meet nobody.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/simulation.hpp"
+#include "engine/time_apart.hpp"
+#include "model/instantiate.hpp"
+
+namespace zenosphere {
+
+/// Lets nobody be settled again until shortly before two spheres can meet, or one a wall, where
+/// that is so far off that it is worth it.
+///
+/// The clock stays where it is: only what is due next is put off, so that a run that stops or is
+/// kicked before goes on from the same state. The fastest sphere is first then, and by far outside
+/// of its ball: so settle() knows that all have to come home.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::leap() {
+  constexpr int balls_each = 16;  // that are crossed, at least
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    const Meeting<Real>& first = meetings(i).first();
+    if (first.is_with_anybody() && is_stale(first)) predict(i);
+  }
+  const std::int32_t leader = fastest();
+  const Real least = balls_each * Real(spheres_.reach()) / speed(leader);
+  constexpr double margin = 0x1p-32;
+  const Real apart = certainly_apart(least) * Real(1 - margin);
+  if (!(apart > least)) return;
+  const Real then = now_.remainder + apart;
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    const Real due = i == leader ? then : Real(then + least);
+    calendar_.schedule(i, std::min(meetings(i).first().time, due));
+  }
+}
+
+/// Time for which nobody certainly meets anybody, as far as that can be foreseen: of a time below
+/// `least` only that it is.
+template <int Dim, class Real>
+Real Simulation<Dim, Real>::certainly_apart(const Real& least) const {
+  const Real fastest = speed(this->fastest());
+  Real apart = Real(longest_foreseen) / fastest;
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    apart = std::min(apart, Real(meetings(i).first().time - now_.remainder));
+  }
+  const int pairs = spheres() * (spheres() - 1) / 2;
+  const int searches = std::max(8, 4096 / std::max(pairs, 1));
+  StraightFlight<Dim> flight{};
+  flight.speed = 1;  // in units of the fastest
+  for (int axis = 0; axis < Dim; ++axis) {
+    flight.periods[static_cast<std::size_t>(axis)] = box().is_closed(axis)
+                                                         ? std::numeric_limits<double>::infinity()
+                                                         : static_cast<double>(box().sides()[axis]);
+  }
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    for (std::int32_t j = 0; j < i && apart > least; ++j) {
+      const Vector way = spheres_.position_at(spheres_[j], now_.remainder) -
+                         spheres_.position_at(spheres_[i], now_.remainder);
+      const Vector velocity = spheres_.velocity_at(spheres_[j], now_.remainder) -
+                              spheres_.velocity_at(spheres_[i], now_.remainder);
+      for (int axis = 0; axis < Dim; ++axis) {
+        flight.way[axis] = static_cast<double>(way[axis]);
+        flight.velocity[axis] = static_cast<double>(Real(velocity[axis] / fastest));
+      }
+      const auto until = static_cast<double>(Real(apart * fastest));
+      apart = std::min(apart, Real(Real(time_apart(flight, until, searches)) / fastest));
+    }
+  }
+  return apart;
+}
+
+/// Settles all spheres, which may be anywhere, and finds whom they meet; where nobody has met
+/// anybody for so short a time that all are at home, nothing.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::come_home() {
+  if (!is_idle() || box().is_sheared()) return;
+  for (std::int32_t i = 0; i < spheres(); ++i) spheres_.bring_back(spheres_[i], now_.remainder);
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    spheres_.settle(i, now_.remainder, now_.remainder);
+  }
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    // Not stored anew where that is not needed: it is rounded.
+    if (surroundings_.walls) spheres_.advance(spheres_[i], now_.remainder);
+    look_ahead(i);
+    schedule(i);
+  }
+}
+
+/// Of a sphere now, diameters/time; in its layer.
+template <int Dim, class Real>
+Real Simulation<Dim, Real>::speed(std::int32_t i) const {
+  using std::sqrt;
+  const Vector velocity = spheres_.velocity_at(spheres_[i], now_.remainder);
+  return sqrt(dot(velocity, velocity));
+}
+
+/// The fastest sphere; of several the first.
+template <int Dim, class Real>
+std::int32_t Simulation<Dim, Real>::fastest() const {
+  std::int32_t fastest = 0;
+  for (std::int32_t i = 1; i < spheres(); ++i) {
+    if (speed(i) > speed(fastest)) fastest = i;
+  }
+  return fastest;
+}
+
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::has_lost_places() const {
+  const Real flown = speed(fastest()) * elapsed(last_change_, now_, box().clock_unit());
+  return flown * std::numeric_limits<Real>::epsilon() > 1;
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)           \
+  template void Simulation<Dim, Real>::leap();      \
+  template void Simulation<Dim, Real>::come_home(); \
+  template bool Simulation<Dim, Real>::has_lost_places() const;
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere

@@ -1,0 +1,70 @@
+// Spheres that are far apart: that nobody meets for long, and balls as wide as cells until a crowd
+// comes together.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/spheres.hpp"
+#include "model/instantiate.hpp"
+
+namespace zenosphere {
+
+template <int Dim, class Real>
+bool Spheres<Dim, Real>::is_far_out(std::int32_t i, const Real& when) const {
+  const Vector place = position_at((*this)[i], when);
+  const Vector corner = this->corner((*this)[i].cell);
+  Vector away;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Real middle = anchor(i).place[static_cast<std::size_t>(axis)] * Real(settling_.grain);
+    away[axis] = (place[axis] - corner[axis]) - middle;
+  }
+  const Real limit = 2 * Real(settling_.reach);
+  return dot(away, away) > limit * limit;
+}
+
+template <int Dim, class Real>
+void Spheres<Dim, Real>::bring_back(Sphere& sphere, const Real& when) const {
+  using std::floor;
+  const Vector place = position_at(sphere, when);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Real& side = box_.sides()[axis];
+    if (box_.is_closed(axis) || (place[axis] > -side && place[axis] < 2 * side)) continue;
+    sphere.position[axis] -= side * floor(static_cast<Real>(place[axis] / side));
+  }
+}
+
+template <int Dim, class Real>
+bool Spheres<Dim, Real>::is_crowd_in_a_cell() const {
+  std::vector<std::int32_t> spheres(static_cast<std::size_t>(cells_.count()));
+  const auto is_crowd = [&](const Sphere& sphere) {
+    return ++spheres[static_cast<std::size_t>(sphere.cell)] > most_alone;
+  };
+  return std::any_of(spheres_.begin(), spheres_.end(), is_crowd);
+}
+
+template <int Dim, class Real>
+bool Spheres<Dim, Real>::share_layer(std::int32_t i, std::int32_t j) const {
+  const auto layer = [&](std::int32_t k) {
+    return SlidingCells<Dim>::layers(cells_.coordinates((*this)[k].cell));
+  };
+  return layer(i) == layer(j);
+}
+
+template <int Dim, class Real>
+void Spheres<Dim, Real>::settle_in_crowd(const Real& when) {
+  settling_ = settling_in_crowd(box_, count());
+  is_crowded_ = false;
+  for (std::int32_t i = 0; i < count(); ++i) settle(i, when, when);
+}
+
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                          \
+  template bool Spheres<Dim, Real>::is_far_out(std::int32_t, const Real&) const;   \
+  template void Spheres<Dim, Real>::bring_back(Sphere&, const Real&) const;        \
+  template bool Spheres<Dim, Real>::is_crowd_in_a_cell() const;                    \
+  template bool Spheres<Dim, Real>::share_layer(std::int32_t, std::int32_t) const; \
+  template void Spheres<Dim, Real>::settle_in_crowd(const Real&);
+ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
+
+}  // namespace zenosphere
