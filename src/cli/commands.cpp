@@ -72,9 +72,8 @@ int run_command_line(int argc, char** argv) {
     print(overview);
     return exit_code::done;
   }
-  CLI::App app(
-      "Event-driven inelastic hard spheres under shear: did it collapse, or the arithmetic?",
-      "zenosphere");
+  CLI::App app("Event-driven inelastic hard spheres: did they collapse, or did the arithmetic?",
+               "zenosphere");
   app.set_version_flag("-V,--version", std::string("zenosphere ") + build_info::program_version +
                                            " (" + build_info::git_hash + ")");
   app.require_subcommand(1);

@@ -115,8 +115,8 @@ ClusterApproach approach_of(std::span<const DepthRow> rows, const std::vector<do
         depths.begin() + static_cast<std::ptrdiff_t>(std::min(rise.end + 1, depths.size()));
     approach.reopened_to = *std::min_element(after, end);
   }
-  approach.visited =
-      visited_share(rows.subspan(rise.valley, rise.peak + 1 - rise.valley), least_depth, limit);
+  approach.visited = visited_share(rows.subspan(rise.valley, rise.peak + 1 - rise.valley),
+                                   std::max(least_depth, depths[rise.valley]), limit);
   approach.steady = steady_fall(depths, approach.first, approach.last);
   return approach;
 }

@@ -36,7 +36,8 @@ struct ClusterApproach {
   double deepest = 0;     ///< decades of the smallest gap above the limit
   bool is_spent = false;  ///< gaps reach the limit: the digits of the type are used up
   std::optional<double> reopened_to{};  ///< median depth after it, where the gaps have grown again
-  double visited = 0;  ///< share of the decades between 8 and the limit that a gap was seen in
+  /// Share of the decades, from 8 or where it begins to the limit, that a gap was seen in.
+  double visited = 0;
   std::optional<SteadyFall> steady{};  ///< of at least four decades
 };
 

@@ -110,6 +110,16 @@ std::string text_of(const Trial& trial) {
 
 }  // namespace
 
+void add_distinct(const std::vector<JudgedApproach>& found, std::vector<JudgedApproach>& all) {
+  for (const JudgedApproach& one : found) {
+    const bool is_known = std::any_of(all.begin(), all.end(), [&](const JudgedApproach& known) {
+      return known.spheres == one.spheres && known.first_collision == one.first_collision &&
+             known.first_time == one.first_time && known.finding == one.finding;
+    });
+    if (!is_known) all.push_back(one);
+  }
+}
+
 std::string to_json(const Adjudication& adjudication) {
   Json approaches = Json::array();
   for (const JudgedApproach& one : adjudication.approaches) approaches.push_back(json_of(one));

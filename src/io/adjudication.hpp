@@ -17,8 +17,8 @@ struct Trial {
   GapThreshold gap_threshold = 1e-16;  ///< diameters, scaled to the precision
 
   std::int64_t collisions = 0;  ///< of the whole run, at the end of the trial
-  /// "digits" (spent), "apart" (flown), "arrest", "overlap", "at rest", "collisions", "time",
-  /// "budget" or "interrupted"
+  /// "digits" (spent), "apart" (flown), "others" (have spent the digits), "arrest", "overlap", "at
+  /// rest", "collisions", "time", "budget" or "interrupted"
   std::string ended_by;
   std::string time;  ///< at the end, in all digits
 
@@ -80,6 +80,9 @@ struct Adjudication {
   std::string sentence{};
   bool was_interrupted = false;
 };
+
+/// Adds what is not there yet: two groups of hits may lead to the same approach.
+void add_distinct(const std::vector<JudgedApproach>& found, std::vector<JudgedApproach>& all);
 
 /// One JSON object; text for people, with a line for each approach and each trial.
 std::string to_json(const Adjudication& adjudication);

@@ -35,15 +35,6 @@ constexpr double share_of_others = 0.1;
 /// Looking for hits, before any trial.
 constexpr double share_of_search = 0.5;
 
-/// The case of a trial: another precision, with its threshold, and another rule.
-Case case_of_trial(Case values, Precision precision, OverlapRule rule) {
-  const bool is_scaled = values.collapse.gap_threshold == GapThreshold(values.collision.precision);
-  if (is_scaled) values.collapse.gap_threshold = GapThreshold(precision);
-  values.collision.precision = precision;
-  values.collision.overlap = rule;
-  return values;
-}
-
 /// Does an adjudication, group after group, as long as there is time.
 class Adjudicator {
  public:
@@ -142,7 +133,7 @@ class Adjudicator {
     }
     if (trials.empty()) return 0;
     enclose_first(before, judged);
-    result_.approaches.insert(result_.approaches.end(), judged.begin(), judged.end());
+    add_distinct(judged, result_.approaches);
     const bool is_first = result_.trials.empty();
     for (const FollowedGroup& trial : trials) {
       if (is_first) result_.trials.push_back(trial.trial);

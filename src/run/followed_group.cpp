@@ -52,10 +52,11 @@ class GroupExamination {
     }
   }
 
-  /// Since the cluster's last contact the clock has gone on for longer than its last contacts took:
-  /// they fly apart.
+  /// Since the cluster's last contact at a small gap the clock has gone on for longer than the last
+  /// of them took: they fly apart.
   bool has_been_left() const {
-    const std::size_t last = rows_.size() - 1;
+    std::size_t last = rows_.size() - 1;
+    while (last > 0 && rows_[last].depth < least_approach_depth) --last;
     return last >= window_ && all_.end - time(last) > time(last) - time(last - window_);
   }
 

@@ -129,7 +129,7 @@ JudgedApproach judged(const SeenApproach& seen, const std::vector<FollowedGroup>
 }
 
 /// What is said of a pair that met once, from its smallest gap.
-void judge_pair(JudgedApproach& judged, const HitGroup& group, const DepthRow& deepest,
+void judge_pair(JudgedApproach& judged, const DepthRow& deepest,
                 const std::vector<FollowedGroup>& ladder) {
   const std::string precision = word(judged.precision);
   if (!deepest.at_limit) {
@@ -138,11 +138,11 @@ void judge_pair(JudgedApproach& judged, const HitGroup& group, const DepthRow& d
         deepest.depth < least_approach_depth
             ? fmt::format(
                   "{} and {} do not come close: with the digits of {} their gap is 1e-{:.1f}",
-                  group.i, group.j, precision, deepest.depth)
+                  deepest.i, deepest.j, precision, deepest.depth)
             : fmt::format(
                   "{} and {} come close once: with the digits of {} their gap is 1e-{:.1f}, and it "
                   "does not go on falling",
-                  group.i, group.j, precision, deepest.depth);
+                  deepest.i, deepest.j, precision, deepest.depth);
     return;
   }
   const std::int64_t begin = judged.followed_from;
@@ -151,14 +151,22 @@ void judge_pair(JudgedApproach& judged, const HitGroup& group, const DepthRow& d
         "the gap of {} and {} is zero in {} too, but the rounding of the run in {} had closed gaps "
         "already at collision {}, from where they were followed: a run with a higher "
         "collision.precision would decide",
-        group.i, group.j, precision, word(ladder.front().trial.precision), begin);
+        deepest.i, deepest.j, precision, word(ladder.front().trial.precision), begin);
     return;
   }
   judged.finding = Finding::exact_contact;
   judged.sentence = fmt::format(
       "the gap of {} and {} is zero in {} too, and nothing decays: contact by symmetry or by the "
       "start",
-      group.i, group.j, precision);
+      deepest.i, deepest.j, precision);
+}
+
+/// A contact of the pair that the run's hit is of, or of two spheres of its group.
+bool is_within(const HitGroup& group, const DepthRow& row) {
+  const auto is_in = [&](std::int32_t sphere) {
+    return std::binary_search(group.spheres.begin(), group.spheres.end(), sphere);
+  };
+  return (row.i == group.i && row.j == group.j) || (is_in(row.i) && is_in(row.j));
 }
 
 /// A group that no cluster belongs to in the highest precision: a pair that met once; nothing where
@@ -174,8 +182,7 @@ std::optional<JudgedApproach> judged_pair(const HitGroup& group,
   std::size_t place = 0;
   for (std::size_t k = 0; k < top.rows.size(); ++k) {
     const DepthRow& row = top.rows[k];
-    if (row.i != group.i || row.j != group.j) continue;
-    if (deepest && row.depth <= deepest->depth) continue;
+    if (!is_within(group, row) || (deepest && row.depth <= deepest->depth)) continue;
     deepest = &row;
     place = k;
   }
@@ -184,7 +191,7 @@ std::optional<JudgedApproach> judged_pair(const HitGroup& group,
       std::max<std::int64_t>(top.first_number + static_cast<std::int64_t>(place) - 1, 0);
   judged.first_time = fmt::format("{}", group.first_time);
   judged.decades = whole(deepest->depth);
-  judge_pair(judged, group, *deepest, ladder);
+  judge_pair(judged, *deepest, ladder);
   return judged;
 }
 
@@ -208,22 +215,26 @@ bool holds(const std::vector<JudgedApproach>& judged, Finding finding) {
 /// The trial ended before its digits were spent or its spheres had flown apart.
 bool was_cut_off(const FollowedGroup& top) {
   const std::string& end = top.trial.ended_by;
-  return end == "budget" || end == "collisions" || end == "interrupted";
+  return end == "budget" || end == "collisions" || end == "interrupted" || end == "others";
 }
 
 JudgedApproach cut_off(const HitGroup& group, const FollowedGroup& top) {
   const Trial& trial = top.trial;
-  return {.sentence = fmt::format(
-              "the trial in {} ended at collision {}, time {}, before its spheres had flown apart; "
-              "more --seconds or --collisions would decide",
-              word(trial.precision), trial.collisions, trial.time.substr(0, 20)),
-          .precision = trial.precision,
-          .spheres = group.spheres,
-          .decades = whole(trial.deepest),
-          .first_collision = trial.collisions,
-          .first_time = trial.time,
-          .followed_from = top.begin.collisions,
-          .run_hit = group.first_hit};
+  const bool is_by_others = trial.ended_by == "others";
+  return {
+      .sentence = fmt::format(
+          "the trial in {} ended at collision {}, time {}, before its spheres had flown apart{}",
+          word(trial.precision), trial.collisions, trial.time.substr(0, 20),
+          is_by_others ? ": other spheres have used up its digits, and if they collapse there, "
+                         "the model has no time after it"
+                       : "; more --seconds or --collisions would decide"),
+      .precision = trial.precision,
+      .spheres = group.spheres,
+      .decades = whole(trial.deepest),
+      .first_collision = trial.collisions,
+      .first_time = trial.time,
+      .followed_from = top.begin.collisions,
+      .run_hit = group.first_hit};
 }
 
 /// The clock stands still in the run's precision, and in the highest it does not.

@@ -9,6 +9,14 @@
 
 namespace zenosphere {
 
+Case case_of_trial(Case values, Precision precision, OverlapRule rule) {
+  const bool is_scaled = values.collapse.gap_threshold == GapThreshold(values.collision.precision);
+  if (is_scaled) values.collapse.gap_threshold = GapThreshold(precision);
+  values.collision.precision = precision;
+  values.collision.overlap = rule;
+  return values;
+}
+
 template <int Dim, class Real>
 TrialRun<Dim, Real>::TrialRun(const Case& values)
     : TrialRun(values, new_simulation<Dim, Real>(values)) {}
@@ -89,10 +97,11 @@ void TrialRun<Dim, Real>::observe(const Collision<Dim, Real>& collision, const T
   const DepthRow row{collision.i, collision.j, depth, depth >= limit_};
   last_row_ = row;
   if (!row.at_limit) deepest_ = std::max(deepest_, row.depth);
-  if (end.followed && row.depth >= least_approach_depth && is_of(*end.followed, row)) {
-    last_deep_ = collision.number;
+  if (end.followed && row.depth >= least_approach_depth) {
+    const bool is_followed = is_of(*end.followed, row);
+    if (is_followed) last_deep_ = collision.number;
     // Within a decade of the limit a gap is a unit or two in the last place.
-    rows_at_limit_ += row.depth >= limit_ - 1;
+    (is_followed ? rows_at_limit_ : others_at_limit_) += row.depth >= limit_ - 1;
   }
   if (hit_groups_) {
     if (separation_.hits() > hits) hit_groups_->observe_hit(collision.number - 1, last_time_, row);
@@ -141,8 +150,10 @@ std::string TrialRun<Dim, Real>::what_ends(const TrialEnd& end) {
 template <int Dim, class Real>
 std::string TrialRun<Dim, Real>::what_ends(const HitGroup& followed) const {
   constexpr std::int64_t enough_at_limit = 32;
+  constexpr std::int64_t many_at_limit = 1000;  // more than contacts by chance or symmetry
   constexpr std::int64_t quiet_collisions = 1000;
   if (rows_at_limit_ >= enough_at_limit) return "digits";
+  if (others_at_limit_ >= many_at_limit) return "others";
   const std::int64_t last = std::max(last_deep_, followed.first_hit);
   if (simulation_.collisions() <= last + quiet_collisions) return "";
   const double between = mean_time_between_collisions(followed, spheres());

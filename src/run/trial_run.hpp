@@ -31,6 +31,9 @@ struct TrialEnd {
   std::function<void()> on_look{};  ///< called some times a second; may set the interrupt
 };
 
+/// The case of a trial: another precision, with its threshold, and another rule.
+Case case_of_trial(Case values, Precision precision, OverlapRule rule);
+
 /// A run that is watched by the criteria and recorded nowhere.
 template <int Dim, class Real>
 class TrialRun {
@@ -93,7 +96,8 @@ class TrialRun {
   DepthRow last_row_;
   std::int64_t last_deep_ = 0;  ///< collision of the followed spheres
   std::chrono::steady_clock::time_point next_look_{};
-  std::int64_t rows_at_limit_ = 0;  ///< likewise
+  std::int64_t rows_at_limit_ = 0;    ///< likewise
+  std::int64_t others_at_limit_ = 0;  ///< of other spheres
   std::optional<HitGroups> hit_groups_;
   std::optional<KeptCollisions<Real>> kept_;
 };

@@ -271,3 +271,13 @@ def test_trial_that_stops_at_its_start_says_so_and_tells_no_gap(program):
     lines = program("adjudicate", case).stdout.splitlines()
     [stopped] = [line.split() for line in lines if line.startswith("double     stop")]
     assert stopped == ["double", "stop", "start", "0", "1", "-", "0", "-", "0", "overlap"]
+
+
+def test_gaps_that_fell_before_the_spheres_flew_apart_are_a_near_collapse(program, checkout):
+    # Five of 500 spheres at e = 0.2: 1e-16 at collision 6714, then a flight of hundreds of collisions.
+    sweep = checkout / "examples" / "sweeps" / "shear-3d.toml"
+    case = program("sweep", "show", sweep, "--run", "24").stdout
+    found = json.loads(program("adjudicate", "-", "--groups", "1", "--up-to", "quad", "--json",
+                               "--quiet", input=case).stdout)
+    assert found["trials"][0]["ended_by"] == "apart"
+    assert [one["finding"] for one in found["approaches"]] == ["near-collapse"]

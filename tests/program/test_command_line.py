@@ -56,7 +56,6 @@ def test_word_that_is_not_understood_is_repeated(program, words):
 
 
 @pytest.mark.parametrize("words, told", [
-    ("", "zenosphere: which command? (none is named); see zenosphere --help"),
     ("rum case.toml",
      "zenosphere: unknown command rum; did you mean run? See zenosphere --help"),
     ("run", "zenosphere run: CASE.toml missing; see zenosphere run --help"),
