@@ -134,9 +134,15 @@ class Ensemble:
                           for key, text in listed)
         self.longest = store.execute("SELECT MAX(collisions_per_sphere) FROM run").fetchone()[0]
         self.rule = self._overlap_rule(store)
-        self.has_findings = bool(store.execute(
+        self.has_findings = self._adjudicates(store) and bool(store.execute(
             "SELECT COUNT(*) FROM pragma_table_info('run') WHERE name = ?",
             (findings.COLUMN,)).fetchone()[0])
+
+    def _adjudicates(self, store):
+        """False where the sweep file has no [adjudicate]: the store has the columns, all NULL."""
+        sweep = store.execute("SELECT * FROM sweep")
+        names = [column[0] for column in sweep.description]
+        return dict(zip(names, sweep.fetchone())).get("adjudicate_seconds", 0) is not None
 
     def _overlap_rule(self, store):
         """The rule that leaves or keeps the hits; None where it is an axis."""

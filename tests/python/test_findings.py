@@ -1,6 +1,7 @@
 """What the first groups of hits of a sweep's runs were: counts, table and map."""
 
 import csv
+import sqlite3
 
 import matplotlib.image
 import numpy as np
@@ -76,6 +77,14 @@ def test_map_shows_every_kind_that_occurs_within_1400_pixels(store, tmp_path):
 
 def test_store_of_a_sweep_that_did_not_adjudicate_has_no_findings(tmp_path):
     store = write_store(tmp_path / "s.sqlite", AXES, lambda *_: (5, 50))
+    assert main(["ensemble", str(store), "-o", str(tmp_path / "out")]) == 0
+    assert not [path for path in (tmp_path / "out").iterdir() if "findings" in path.name]
+
+
+def test_columns_of_findings_are_left_alone_where_the_sweep_did_not_adjudicate(tmp_path):
+    store = write_store(tmp_path / "s.sqlite", AXES, lambda *_: (5, 50, None), adjudicated=True)
+    with sqlite3.connect(store) as opened:  # as `zenosphere sweep` writes it without [adjudicate]
+        opened.execute("ALTER TABLE sweep ADD COLUMN adjudicate_seconds REAL")
     assert main(["ensemble", str(store), "-o", str(tmp_path / "out")]) == 0
     assert not [path for path in (tmp_path / "out").iterdir() if "findings" in path.name]
 
