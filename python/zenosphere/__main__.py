@@ -33,7 +33,8 @@ def main(arguments=None):
 
 def _figures(options):
     paper = ((options.false_positive, FALSE_POSITIVE), (options.true_collapse, TRUE_COLLAPSE))
-    if not options.run and not any(path for path, _ in paper):
+    runs = options.run + options.files
+    if not runs and not any(path for path, _ in paper):
         raise InputError("figures: no run given (nothing to draw); add --false-positive,"
                          " --true-collapse or --run")
     written = []
@@ -41,7 +42,7 @@ def _figures(options):
         if path:
             with RunFile(path) as run:
                 written += draw_paper_figures(run, plans, options.output, _pictures(options))
-    for path in options.run:
+    for path in runs:
         with RunFile(path) as run:
             written += draw_general_figures(run, options.output, _pictures(options))
     for path in written:
@@ -112,6 +113,7 @@ def _parser():
                          help="run for the paper's Figures 4, 5, 6 (e = 0.2)")
     figures.add_argument("--run", metavar="OUT.h5", type=Path, action="append", default=[],
                          help="any run, for a general set; can be repeated")
+    figures.add_argument("files", metavar="OUT.h5", type=Path, nargs="*", help="the same as --run")
     figures.add_argument("-o", "--output", metavar="DIR", type=Path, default=Path("figures"),
                          help="folder of the figures (default: figures)")
     _add_look(figures, ("png", "pdf"), "png,pdf")
