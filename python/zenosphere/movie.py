@@ -9,7 +9,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from . import words
 from .cell import Cell, View
@@ -188,6 +188,7 @@ class _Scene:
         if decades < 2:  # numbers at 2 and 5 too, where powers of ten are few
             bar.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
             bar.yaxis.set_major_formatter(FuncFormatter(lambda value, _: words.short(value)))
+            bar.yaxis.set_minor_formatter(NullFormatter())
         self._title = self.figure.text(0.03, 0.95, "", fontsize=11)
 
     def _draw(self, moment, positions, velocities, edges):
