@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/case_words.hpp"
 #include "io/json.hpp"
 
