@@ -43,8 +43,12 @@ struct ApproachEvidence {
   ClusterApproach approach{};
   ContactWord word{};
   std::optional<RoundRatio> ratio{};  ///< of a periodic word
+  double clock_ratio = 0;             ///< time of the second half of its last fall, over the first
   bool is_dissipative = false;        ///< some contact of the cluster has lost energy
 };
+
+/// Whether the time that is left shrinks with the gaps.
+bool runs_out_of_time(const ApproachEvidence& evidence);
 
 /// Decades above the limit at which a gap has still so many digits that rounding does not decide
 /// what becomes of it.

@@ -28,6 +28,14 @@ Objection shear_between_walls(const Case& values) {
   return "(not together with [walls] in this version); remove one of the two";
 }
 
+Objection gravity_along_the_gradient(const Case& values) {
+  const auto& acceleration = values.gravity.acceleration;
+  const bool falls = acceleration.size() > 1 && acceleration[1] != 0;
+  if (values.drive.kind != DriveKind::shear || !falls) return std::nullopt;
+  return "(has a component along y, the gradient direction of the shear, across whose sliding "
+         "boundary spheres would fall for ever); let it point along x or z";
+}
+
 Objection gravity_has_other_dimension(const Case& values) {
   const auto components = values.gravity.acceleration.size();
   if (components == 0 || components == static_cast<std::size_t>(values.system.dimension)) {
@@ -95,6 +103,7 @@ std::vector<Rule> all_rules() {
        velocities_have_wrong_shape},
       {{"drive.kind", "system.dimension"}, shear_on_a_line},
       {{"drive.kind", "walls.axis"}, shear_between_walls},
+      {{"gravity.acceleration", "drive.kind"}, gravity_along_the_gradient},
       {{"gravity.acceleration", "system.dimension"}, gravity_has_other_dimension},
       {{"collision.rotation_angle", "system.dimension"}, rotation_on_a_line},
       {{"start.granular_temperature", "drive.kind", "drive.shear_rate", "gravity.acceleration",

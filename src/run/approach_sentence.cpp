@@ -24,8 +24,9 @@ std::string law_of(const JudgedApproach& judged) {
 }
 
 /// What leaves an approach undecided.
-std::string doubt_of(const JudgedApproach& judged, const ClusterApproach& approach,
+std::string doubt_of(const JudgedApproach& judged, const ApproachEvidence& evidence,
                      const std::string& who) {
+  const ClusterApproach& approach = evidence.approach;
   const std::string precision = word(judged.precision);
   if (approach.reopened_to) {
     return fmt::format(
@@ -35,8 +36,8 @@ std::string doubt_of(const JudgedApproach& judged, const ClusterApproach& approa
   }
   if (!approach.is_spent) {
     return fmt::format(
-        "the gaps of {} were still falling at 1e-{} when the trial in {} ended; more --seconds or "
-        "--collisions would decide",
+        "the gaps of {} were still falling at 1e-{} when the trial in {} ended; more digits, "
+        "--seconds or --collisions would decide",
         who, judged.decades, precision);
   }
   if (judged.ratio && !converges(*judged.ratio)) {
@@ -45,6 +46,12 @@ std::string doubt_of(const JudgedApproach& judged, const ClusterApproach& approa
         "({:.6g})"
         " still drifts: more digits would tell whether it stays below one",
         who, precision, judged.ratio->ratio);
+  }
+  if (!runs_out_of_time(evidence)) {
+    return fmt::format(
+        "the gaps of {} fall until the digits of {} are spent, but the time between their contacts "
+        "does not fall with them: more digits would tell whether they fly apart",
+        who, precision);
   }
   return fmt::format(
       "the gaps of {} fall until the digits of {} are spent, by one law over {:.0f} decades only; "
@@ -63,7 +70,7 @@ std::string names_of(const std::vector<std::int32_t>& spheres) {
   return spheres.size() > most ? names + "-..." : names;
 }
 
-std::string sentence_of(const JudgedApproach& judged, const ClusterApproach& approach) {
+std::string sentence_of(const JudgedApproach& judged, const ApproachEvidence& evidence) {
   const std::string who =
       fmt::format("{} spheres ({})", judged.spheres.size(), names_of(judged.spheres));
   const std::string precision = word(judged.precision);
@@ -90,7 +97,7 @@ std::string sentence_of(const JudgedApproach& judged, const ClusterApproach& app
           "gaps of {} are zero in {} without having decayed: contact by symmetry or by the start",
           who, precision);
     default:
-      return doubt_of(judged, approach, who);
+      return doubt_of(judged, evidence, who);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collapse/approach.hpp"
+#include "collapse/finding.hpp"
 #include "io/adjudication.hpp"
 
 namespace zenosphere {
@@ -17,6 +17,6 @@ inline int whole(double decades) { return static_cast<int>(std::floor(decades));
 std::string names_of(const std::vector<std::int32_t>& spheres);
 
 /// What has been found about an approach, with the evidence, from all else that `judged` holds.
-std::string sentence_of(const JudgedApproach& judged, const ClusterApproach& approach);
+std::string sentence_of(const JudgedApproach& judged, const ApproachEvidence& evidence);
 
 }  // namespace zenosphere

@@ -95,7 +95,24 @@ class GroupExamination {
     if (evidence.word.is_periodic) {
       evidence.ratio = round_ratio(durations(approach, evidence.word.letters.size()));
     }
+    if (approach.steady) evidence.clock_ratio = clock_ratio(approach);
     return evidence;
+  }
+
+  /// Time in which the median gap fell by the second half of its steady fall, over that of the
+  /// first.
+  double clock_ratio(const ClusterApproach& approach) const {
+    const double end = depths_[approach.last];
+    const double half = approach.steady->decades / 2;
+    const auto row_at = [&](double depth) {
+      std::size_t row = approach.first;
+      while (row < approach.last && depths_[row] < depth) ++row;
+      return row;
+    };
+    const Real& middle = time(row_at(end - half));
+    const Real first(middle - time(row_at(end - 2 * half)));
+    const Real second(time(approach.last) - middle);
+    return first > 0 ? static_cast<double>(Real(second / first)) : 1;
   }
 
   const Real& time(std::size_t row) const { return all_.times[places_[row]]; }

@@ -123,7 +123,7 @@ JudgedApproach judged(const SeenApproach& seen, const std::vector<FollowedGroup>
   for (auto lower = ladder.begin(); lower + 1 != ladder.end(); ++lower) {
     judged.losses.push_back(loss_of(*lower, top, seen));
   }
-  judged.sentence = sentence_of(judged, approach);
+  judged.sentence = sentence_of(judged, seen.evidence);
   weigh_rounding(judged, seen, ladder);
   return judged;
 }

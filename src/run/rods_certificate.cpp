@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/case_box.hpp"
 #include "io/case_words.hpp"
@@ -51,6 +52,14 @@ std::string common_digits(const std::string& lower, const std::string& upper) {
   return {lower.begin(), end};
 }
 
+/// A unit in the last place of a decimal without exponent.
+double last_place(const std::string& decimal) {
+  const auto point = decimal.find('.');
+  return point == std::string::npos
+             ? 1
+             : std::pow(10.0, -static_cast<double>(decimal.size() - point - 1));
+}
+
 std::string sentence_of(const Certificate& certificate) {
   const std::string when =
       certificate.exact.empty()
@@ -71,11 +80,8 @@ void prove(const Certificate& certificate, Adjudication& adjudication) {
   proven.spheres.assign(certificate.spheres.begin(), certificate.spheres.end());
   std::sort(proven.spheres.begin(), proven.spheres.end());
   proven.word = {certificate.word, true};
-  const std::string time = common_digits(certificate.lower, certificate.upper);
-  if (!proven.collapse_time || time.size() > proven.collapse_time->size()) {
-    proven.collapse_time = time;
-    proven.uncertainty = std::stod(certificate.upper) - std::stod(certificate.lower);
-  }
+  proven.collapse_time = common_digits(certificate.lower, certificate.upper);
+  proven.uncertainty = last_place(*proven.collapse_time);
   proven.sentence = sentence_of(certificate);
 }
 

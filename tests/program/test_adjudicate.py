@@ -281,3 +281,28 @@ def test_gaps_that_fell_before_the_spheres_flew_apart_are_a_near_collapse(progra
                                "--quiet", input=case).stdout)
     assert found["trials"][0]["ended_by"] == "apart"
     assert [one["finding"] for one in found["approaches"]] == ["near-collapse"]
+
+
+def test_rods_above_their_threshold_whose_clock_goes_on_are_not_singular(program):
+    # 3 - 2 sqrt(2) = 0.17157288: these fly apart after 6580 contacts, at 1.870452.
+    case = FOUR_RODS.format(restitution=0.171573)
+    found = json.loads(program("adjudicate", "-", "--json", "--quiet", "--up-to", "digits100",
+                               input=case).stdout)
+    assert found["finding"] not in ("singular", "proven")
+
+
+FOUR_RODS = """
+[system]
+dimension = 1
+spheres = 4
+restitution = {restitution}
+sides = [40]
+[start]
+arrangement = "given"
+positions = [10, 11.2, 12.7, 14]
+velocities = [1, 0, 0, -1]
+[drive]
+kind = "none"
+[run]
+time = 30
+"""

@@ -28,6 +28,12 @@ TEST(Findings, NothingElasticIsSingular) {
   EXPECT_EQ(judge(evidence, limit), Finding::undecided);
 }
 
+TEST(Findings, FallWithoutAPeriodInWhichTheClockGoesOnIsUndecided) {
+  auto evidence = singular_evidence();
+  evidence.clock_ratio = 0.5;
+  EXPECT_EQ(judge(evidence, limit), Finding::undecided);
+}
+
 TEST(Findings, FallOverNineteenDecadesIsUndecided) {
   auto evidence = singular_evidence();
   evidence.approach.steady->decades = 19;

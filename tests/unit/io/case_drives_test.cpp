@@ -80,6 +80,17 @@ TEST(CaseDrives, GravityHasTheDimensionOfTheSystem) {
             "... under [gravity]");
 }
 
+TEST(CaseDrives, GravityUnderShearHasNoComponentAlongTheGradient) {
+  const std::string falling =
+      replaced(shear_case, "[run]", "[gravity]\nacceleration = [1, 0, 2]\n[run]");
+  EXPECT_EQ(problems_of(falling), "");
+  EXPECT_EQ(
+      objection(falling, "gravity.acceleration=[0, 0.5, 0]"),
+      "gravity.acceleration = [0, 0.5, 0] (has a component along y, the gradient direction of "
+      "the shear, across whose sliding boundary spheres would fall for ever); let it point "
+      "along x or z");
+}
+
 TEST(CaseDrives, WhateverDrivesTheSpheresMayStartFromRest) {
   EXPECT_EQ(objection(triple_case, "start.velocities=[[0, 0], [0, 0], [0, 0]]"),
             "start.velocities = [[0, 0], [0, 0], [0, 0]] (nothing would ever move); use a velocity "
