@@ -46,8 +46,9 @@ std::optional<RoundRatio> round_ratio(const std::vector<double>& durations) {
 }
 
 bool runs_out_of_time(const ApproachEvidence& evidence) {
-  constexpr double most_of_first_half = 0.01;  // a collapse leaves a millionth and less
-  return evidence.ratio ? converges(*evidence.ratio) : evidence.clock_ratio <= most_of_first_half;
+  constexpr double most_of_quarter_before = 0.1;  // a collapse leaves a hundredth and less
+  return evidence.ratio ? converges(*evidence.ratio)
+                        : evidence.clock_ratio <= most_of_quarter_before;
 }
 
 Finding judge(const ApproachEvidence& evidence, double limit) {

@@ -43,7 +43,7 @@ struct ApproachEvidence {
   ClusterApproach approach{};
   ContactWord word{};
   std::optional<RoundRatio> ratio{};  ///< of a periodic word
-  double clock_ratio = 0;             ///< time of the second half of its last fall, over the first
+  double clock_ratio = 0;             ///< time of the last quarter of its fall over the one before
   bool is_dissipative = false;        ///< some contact of the cluster has lost energy
 };
 

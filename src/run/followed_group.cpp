@@ -99,20 +99,20 @@ class GroupExamination {
     return evidence;
   }
 
-  /// Time in which the median gap fell by the second half of its steady fall, over that of the
-  /// first.
+  /// Time in which the median gap fell by the last quarter of its steady fall, over that of the
+  /// quarter before.
   double clock_ratio(const ClusterApproach& approach) const {
     const double end = depths_[approach.last];
-    const double half = approach.steady->decades / 2;
+    const double quarter = approach.steady->decades / 4;
     const auto row_at = [&](double depth) {
       std::size_t row = approach.first;
       while (row < approach.last && depths_[row] < depth) ++row;
       return row;
     };
-    const Real& middle = time(row_at(end - half));
-    const Real first(middle - time(row_at(end - 2 * half)));
-    const Real second(time(approach.last) - middle);
-    return first > 0 ? static_cast<double>(Real(second / first)) : 1;
+    const Real& middle = time(row_at(end - quarter));
+    const Real third(middle - time(row_at(end - 2 * quarter)));
+    const Real fourth(time(approach.last) - middle);
+    return third > 0 ? static_cast<double>(Real(fourth / third)) : 1;
   }
 
   const Real& time(std::size_t row) const { return all_.times[places_[row]]; }

@@ -80,8 +80,12 @@ void prove(const Certificate& certificate, Adjudication& adjudication) {
   proven.spheres.assign(certificate.spheres.begin(), certificate.spheres.end());
   std::sort(proven.spheres.begin(), proven.spheres.end());
   proven.word = {certificate.word, true};
-  proven.collapse_time = common_digits(certificate.lower, certificate.upper);
-  proven.uncertainty = last_place(*proven.collapse_time);
+  const std::string time = common_digits(certificate.lower, certificate.upper);
+  // What the trial has extrapolated may have more digits of it.
+  if (!proven.collapse_time || !proven.collapse_time->starts_with(time)) {
+    proven.collapse_time = time;
+    proven.uncertainty = last_place(time);
+  }
   proven.sentence = sentence_of(certificate);
 }
 
