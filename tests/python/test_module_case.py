@@ -4,6 +4,7 @@ import copy
 import multiprocessing
 import pickle
 import tomllib
+from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
 import pytest
@@ -163,8 +164,9 @@ def end_of(case):
 def test_cases_go_to_other_processes():
     cases = [zenosphere.Case(SHEARED, overrides={"start.seed": seed, "run.collisions": 200})
              for seed in (1, 2)]
-    with multiprocessing.get_context("spawn").Pool(2) as pool:
-        assert pool.map(end_of, cases) == [end_of(case) for case in cases]
+    spawn = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(2, mp_context=spawn) as pool:  # says so if a process ends early
+        assert list(pool.map(end_of, cases)) == [end_of(case) for case in cases]
 
 
 def test_text_that_is_not_toml_is_refused_with_its_line():
