@@ -21,8 +21,7 @@ import scanning
 from contact_words import (before_contact, common_length, contact, eventual_word, exact_contacts,
                            in_order, name, places, rounds_held, scaled_contacts)
 
-sys.path.insert(0, str(scanning.EXAMPLES.parent / "python"))
-from zenosphere.run_file import RunFile  # noqa: E402
+from zenosphere.run_file import RunFile  # scanning has put it on the path
 
 CASE = "dolmaire-huebner-rosenau-2024-four-rods"
 THREE, PATTERN, FOUR = 7 - 4 * np.sqrt(3), 5 - 2 * np.sqrt(6), 3 - 2 * np.sqrt(2)

@@ -21,8 +21,7 @@ import numpy as np
 
 import scanning
 
-sys.path.insert(0, str(scanning.EXAMPLES.parent / "python"))
-from zenosphere.run_file import RunFile  # noqa: E402
+from zenosphere.run_file import RunFile  # scanning has put it on the path
 
 CASE = "dolmaire-velazquez-2024-three-spheres"
 STABLE = 9 - 4 * np.sqrt(5)
