@@ -108,12 +108,19 @@ def test_spheres_that_fall_together_do_with_each_other_what_they_do_at_rest(prog
     np.testing.assert_allclose(finals[1][2] - finals[0][2], [[-4, 0]] * 32, atol=1e-14)
 
 
+# Each makes the speed along x the mean of that and of its own, (1 - 0.5).
+FAST_ROUGH_WALLS = """[walls]
+axis = "y"
+restitution = 1
+tangential_restitution = -0.5
+lower_speed = -1e6
+upper_speed = 1e6"""
+
+
 def test_disk_between_fast_rough_walls_crosses_its_box_a_million_times(program):
-    # Each wall makes the speed along x the mean of that and of the wall's (1 - 0.5), for good.
     text = case("dimension = 2\nspheres = 1\nrestitution = 1\nsides = [10, 10]",
                 "positions = [[5, 5]]\nvelocities = [[0.3, 1]]",
-                '[walls]\naxis = "y"\nrestitution = 1\ntangential_restitution = -0.5',
-                "lower_speed = -1e6\nupper_speed = 1e6", "[run]\ncollisions = 30")
+                FAST_ROUGH_WALLS, "[run]\ncollisions = 30")
     summary = summary_of(program, text)
     assert summary["collisions"] == 30 and summary["self_check"] is None
     # From the middle to the wall 4.5, then 9 each: 4.5 + 29 x 9.
@@ -169,8 +176,7 @@ def test_disks_of_a_slanting_flight_cross_ten_million_boxes_in_one_step(program)
 def test_two_disks_between_fast_rough_walls_collide_with_them_and_each_other(program):
     text = case("dimension = 2\nspheres = 2\nrestitution = 1\nsides = [10, 10]",
                 "positions = [[2, 5], [7, 3]]\nvelocities = [[0.3, 1], [0.1, -0.7]]",
-                '[walls]\naxis = "y"\nrestitution = 1\ntangential_restitution = -0.5',
-                "lower_speed = -1e6\nupper_speed = 1e6", "[run]\ncollisions = 1000")
+                FAST_ROUGH_WALLS, "[run]\ncollisions = 1000")
     summary = summary_of(program, text)
     assert summary["collisions"] == 1000 and summary["self_check"] is None
     assert summary["ledger_error"] < 1e-10
