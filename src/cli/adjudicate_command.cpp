@@ -50,7 +50,8 @@ int adjudicate(const Arguments& arguments) {
   const Adjudication result = adjudicate(values, limits);
   if (limits.on_trial) clear_line();
   const bool has_found = !result.was_interrupted || !result.approaches.empty();
-  if (is_output && has_found) keep_adjudication(arguments.file, to_json(result));
+  const bool is_of_file = is_output && arguments.overrides.empty();  // with --set: of another run
+  if (is_of_file && has_found) keep_adjudication(arguments.file, to_json(result));
   if (!arguments.quiet) print(to_text(result));
   if (arguments.json) print(to_json(result) + '\n');
   return result.was_interrupted ? exit_code::interrupted : exit_code::done;

@@ -13,7 +13,6 @@
 #include "cli/console.hpp"
 #include "cli/outputs.hpp"
 #include "cli/shipped_cases.hpp"
-#include "io/spelling.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {

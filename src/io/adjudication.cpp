@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "io/case_words.hpp"
 #include "io/json.hpp"
@@ -111,6 +112,13 @@ std::string text_of(const Trial& trial) {
 }
 
 }  // namespace
+
+void refute(JudgedApproach& approach, std::string sentence) {
+  approach.finding = Finding::near_collapse;
+  approach.collapse_time.reset();
+  approach.uncertainty.reset();
+  approach.sentence = std::move(sentence);
+}
 
 void add_distinct(const std::vector<JudgedApproach>& found, std::vector<JudgedApproach>& all) {
   for (const JudgedApproach& one : found) {

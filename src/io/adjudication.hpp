@@ -81,6 +81,9 @@ struct Adjudication {
   bool was_interrupted = false;
 };
 
+/// Makes a near-collapse of an approach: its spheres part again, so that there is no collapse time.
+void refute(JudgedApproach& approach, std::string sentence);
+
 /// Adds what is not there yet: two groups of hits may lead to the same approach.
 void add_distinct(const std::vector<JudgedApproach>& found, std::vector<JudgedApproach>& all);
 

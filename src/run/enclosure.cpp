@@ -149,14 +149,12 @@ void tell_enclosure(const Certificate& certificate, std::int64_t collision,
   const std::string from = fmt::format("from its state at collision {} in {}, taken as exact",
                                        collision, word(approach.precision));
   if (certificate.kind == Certificate::Kind::escapes) {
-    approach.finding = Finding::near_collapse;
-    approach.collapse_time.reset();
-    approach.uncertainty.reset();
-    approach.sentence = fmt::format(
+    const std::string sentence = fmt::format(
         "the gaps of {} spheres ({}) fall together to 1e-{} and grow again: ball arithmetic makes "
         "certain that they part after {} contacts {}",
         approach.spheres.size(), names_of(approach.spheres), certificate.decades,
         certificate.collisions, from);
+    refute(approach, sentence);
     return;
   }
   if (certificate.decades <= first_decade) return;

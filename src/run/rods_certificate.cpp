@@ -107,13 +107,11 @@ void refute(const std::string& end, Adjudication& adjudication) {
       continue;
     }
     if (one.finding != Finding::singular && one.finding != Finding::undecided) continue;
-    one.finding = Finding::near_collapse;
-    one.collapse_time.reset();
-    one.uncertainty.reset();
-    one.sentence = fmt::format(
-        "the gaps of {} rods ({}) fall together to 1e-{} as far as {} tells, and grow again: in "
-        "exact fractions {}",
-        one.spheres.size(), names_of(one.spheres), one.decades, word(one.precision), end);
+    refute(one, fmt::format("the gaps of {} rods ({}) fall together to 1e-{} as far as {} tells, "
+                            "and grow again: in "
+                            "exact fractions {}",
+                            one.spheres.size(), names_of(one.spheres), one.decades,
+                            word(one.precision), end));
   }
 }
 

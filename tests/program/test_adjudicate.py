@@ -34,6 +34,9 @@ window = 1000
 time = 30
 """
 
+FOUR_RODS = {"dimension": 1, "spheres": 4, "positions": [10, 11.2, 12.7, 14],
+             "velocities": [1, 0, 0, -1]}
+
 GAS = """
 [system]
 dimension = 3
@@ -166,8 +169,7 @@ def test_three_rods_are_told_from_each_other_within_a_millionth_of_the_threshold
 def test_four_rods_are_told_from_each_other_within_a_ten_thousandth_of_the_threshold(
         program, restitution, finding):
     """3 - 2 sqrt(2) = 0.1715729."""
-    case = given(program, "four.toml", dimension=1, spheres=4, restitution=restitution,
-                 sides=[100], positions=[10, 11.2, 12.7, 14], velocities=[1, 0, 0, -1])
+    case = given(program, "four.toml", restitution=restitution, sides=[100], **FOUR_RODS)
     result = adjudicated(program, case)
     assert result["finding"] == finding
     assert "in exact fractions" in result["sentence"]
@@ -209,8 +211,7 @@ def test_interrupt_before_the_first_hit_says_so(program):
 
 def test_four_rods_below_their_threshold_are_singular(program):
     """e = 0.17 < 3 - 2 sqrt(2); the word of contacts repeats, and its ratio settles."""
-    case = given(program, "four.toml", dimension=1, spheres=4, restitution=0.17, sides=[100],
-                 positions=[10, 11.2, 12.7, 14], velocities=[1, 0, 0, -1])
+    case = given(program, "four.toml", restitution=0.17, sides=[100], **FOUR_RODS)
     result = adjudicated(program, case)
     assert result["finding"] in ("singular", "proven")
     strongest = next(a for a in result["approaches"] if a["finding"] == result["finding"])
@@ -231,6 +232,9 @@ def test_adjudication_is_kept_in_the_output_file(program):
         kept = json.loads(file["zenosphere/adjudication"].asstr()[()])
     assert kept == result
     assert adjudicated(program, "rods.h5") == result  # in place of the first
+    other = adjudicated(program, "rods.h5", "--set", "system.restitution=0.06")
+    with h5py.File(program.folder / "rods.h5") as file:
+        assert json.loads(file["zenosphere/adjudication"].asstr()[()]) == result != other
 
 
 def test_run_without_a_hit_is_refused(program):
@@ -285,24 +289,6 @@ def test_gaps_that_fell_before_the_spheres_flew_apart_are_a_near_collapse(progra
 
 def test_rods_above_their_threshold_whose_clock_goes_on_are_not_singular(program):
     # 3 - 2 sqrt(2) = 0.17157288: these fly apart after 6580 contacts, at 1.870452.
-    case = FOUR_RODS.format(restitution=0.171573)
-    found = json.loads(program("adjudicate", "-", "--json", "--quiet", "--up-to", "digits100",
-                               input=case).stdout)
+    case = given(program, "four.toml", restitution=0.171573, sides=[40], **FOUR_RODS)
+    found = adjudicated(program, case, "--up-to", "digits100")
     assert found["finding"] not in ("singular", "proven")
-
-
-FOUR_RODS = """
-[system]
-dimension = 1
-spheres = 4
-restitution = {restitution}
-sides = [40]
-[start]
-arrangement = "given"
-positions = [10, 11.2, 12.7, 14]
-velocities = [1, 0, 0, -1]
-[drive]
-kind = "none"
-[run]
-time = 30
-"""
