@@ -78,6 +78,11 @@ class Frames:
             yield Frame(number, state.time, state.positions, self._peculiar(state), velocities, box,
                         number % stride == 0)
 
+    @property
+    def span(self):
+        """Times between which collisions count; rounding can put the first of a run before 0."""
+        return (self.first.time if self._first else -np.inf), self.last.time
+
     @cached_property
     def shear_rate(self):
         """Of the imposed profile, 1/time; 0 without."""

@@ -41,6 +41,6 @@ def analyse(path: str | os.PathLike[str], *, from_time: float | None = None,
     for measurement in measurements:
         found |= measurement.result()
     found |= stresses(output.summary, frames.shear_rate)
-    found["collision_distributions"] = collision_distributions(
-        output.path, frames.first.time, frames.last.time) if output.has_every_collision else None
+    found["collision_distributions"] = (collision_distributions(output.path, *frames.span)
+                                        if output.has_every_collision else None)
     return found
