@@ -134,6 +134,6 @@ class Snapshots(Sequence[State]):
 def open(path: str | os.PathLike[str]) -> Output:  # noqa: A001
     """Opens the output file of a run: its summary, case, collisions and snapshots.
 
-    with zenosphere.open("run.h5") as output: print(output.verdict, len(output.collisions))
+    `with zenosphere.open("run.h5") as output: print(output.verdict, len(output.collisions))`
     """
     return Output(path)
