@@ -121,7 +121,7 @@ class Run:
         self._core.skip(_count(collisions), until)
 
     def chunks(self, collisions: int = 10_000) -> Iterator[NDArray[np.void]]:
-        """Advances to the end of the run, and yields its collisions in chunks, as `advance` does."""
+        """Advances to the end of the run, and yields the collisions in chunks, as `advance` does."""
         if collisions < 1:
             raise InputError(f"chunks: collisions = {collisions} (must be > 0)")
         while not self.is_over:

@@ -1,4 +1,4 @@
-"""The documentation as a site: it builds without a warning, and every link in it leads somewhere."""
+"""The documentation as a site: it builds without a warning, and every link leads somewhere."""
 
 import re
 import subprocess
