@@ -117,6 +117,14 @@ def test_toml_of_a_document_is_right(program, document, number):
         program.run({**settings_in(text), "run.collisions": 2000})
 
 
+def test_every_command_is_on_the_page_of_the_command_line(program):
+    page = (CHECKOUT / "docs" / "commands.md").read_text()
+    commands = re.findall(r"^  ([\w-]+)  ", program("--help").stdout.split("Subcommands:")[1],
+                          re.MULTILINE)
+    assert len(commands) > 15
+    assert set(re.findall(r"^\| `([\w-]+)` \|", page, re.MULTILINE)) == set(commands)
+
+
 def test_every_key_that_check_prints_is_on_the_page_of_the_case_file(program):
     page = (CHECKOUT / "docs" / "case-file.md").read_text()
     keys = re.findall(r"^(\w+) = ", program("check", str(EXAMPLES[0])).stdout, re.MULTILINE)
