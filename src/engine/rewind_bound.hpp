@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "engine/spheres.hpp"
 #include "model/archive.hpp"
@@ -9,11 +10,15 @@
 
 namespace zenosphere {
 
-/// How far `rewind` may set the clock back: by the time in which the fastest sphere flies
-/// longest_way_back(), so that nobody is put further off the course that it was on.
+/// How far `rewind` may set the clock back, so that no sphere is put further off the course that it
+/// was on than by longest_way_back().
 ///
-/// The fastest sphere is looked for once in as many collisions as there are spheres, and only when
-/// two overlap.
+/// By the time in which the fastest sphere flies that way, and not to before the moment to which a
+/// sphere whose velocity has changed would be off by it. The second bound holds where all come to
+/// rest, and keeps steps back from adding up. The fastest sphere is looked for once in as many
+/// collisions as there are spheres, and only when two overlap.
+///
+/// Source: docs/decisions/0016-rewind-within-the-digits.md.
 template <int Dim, class Real>
 class RewindBound {
  public:
@@ -48,8 +53,24 @@ class RewindBound {
   /// Has the fastest sphere looked for again: velocities have changed otherwise than by collisions.
   void forget() { next_look_ = 0; }
 
-  /// The longest step back, in the unit of the velocities.
+  /// To be called for each change of a velocity: a sphere goes back along its new course only.
+  void note_change(const Vec<Dim, Real>& change, const Real& when) {
+    using std::sqrt;
+    const Real square = dot(change, change);
+    if (square > 0) earliest_ = std::max(earliest_, Real(when - way_ / sqrt(square)));
+  }
+
+  /// Sets the clock back by `span`.
+  void set_back(const Real& span) { earliest_ -= span; }
+
+  /// The longest step back at `now`, in the unit of the velocities: at least 0.
+  Real longest(const Real& now) const { return std::min(longest(), Real(now - earliest_)); }
+
+  /// The same as far as the fastest sphere limits it.
   Real longest() const { return duration_at(fastest_); }
+
+  /// What the clock has not gone, and will not go, back behind.
+  const Real& earliest() const { return earliest_; }
 
   /// The same at any moment since the collision before the last.
   Real longest_lately() const { return duration_at(std::min(fastest_, before_)); }
@@ -57,8 +78,10 @@ class RewindBound {
   /// \throws ArchiveError where nobody can be that fast
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.fastest_, self.before_, self.next_look_);
+    archive(self.fastest_, self.before_, self.next_look_, self.earliest_);
     require_archived(self.fastest_ >= 0 && self.before_ >= 0, "a speed that there is not");
+    require_archived(self.earliest_ < std::numeric_limits<Real>::infinity(),
+                     "a time that there is not");
     require_counts(self.next_look_);
   }
 
@@ -70,8 +93,9 @@ class RewindBound {
   Real
       least_square_;  ///< of the speeds after a fall through the box, and of half a slide of layers
   Real fastest_ = 0;
-  Real before_ = 0;             ///< the fastest at the look before
-  std::int64_t next_look_ = 0;  ///< number of collisions
+  Real before_ = 0;                                         ///< the fastest at the look before
+  Real earliest_ = -std::numeric_limits<Real>::infinity();  ///< remainder of the clock
+  std::int64_t next_look_ = 0;                              ///< number of collisions
 };
 
 }  // namespace zenosphere

@@ -106,6 +106,7 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   } else {
     meet(collision, neighbour);
   }
+  rewind_bound_.note_change(collision.change, when);
   // A processor begins to look for the second one while it still waits for roots of the first.
   const bool is_pair = !wall(collision.j);
   look_ahead(collision.i);

@@ -160,6 +160,8 @@ class Simulation {
   /// The longest time by which OverlapRule::rewind has set, or will set, the clock back since the
   /// collision before the last.
   Real longest_rewind() const { return rewind_bound_.longest_lately(); }
+  /// The remainder of the clock behind which it will not set it back.
+  const Real& earliest_rewind() const { return rewind_bound_.earliest(); }
   std::int64_t settlings() const { return settlings_; }
   std::int64_t stale_events() const { return stale_events_; }
 

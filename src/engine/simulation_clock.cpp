@@ -28,6 +28,7 @@ void Simulation<Dim, Real>::set_back(double units) {
   now_.units += units;
   now_.remainder = std::max(Real(0), Real(now_.remainder - span));
   spheres_.set_back(span);
+  rewind_bound_.set_back(span);
   for (NextMeetings<Real>& next : meetings_) next.set_back(span);
   calendar_.set_back(span);
 }

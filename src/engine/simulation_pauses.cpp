@@ -24,8 +24,10 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   shorten_stride();
   come_home();
   for (std::int32_t i = 0; i < spheres(); ++i) {
+    const Vector& change = changes[static_cast<std::size_t>(i)];
     spheres_.advance(spheres_[i], now_.remainder);
-    spheres_[i].velocity += changes[static_cast<std::size_t>(i)];
+    spheres_[i].velocity += change;
+    rewind_bound_.note_change(change, now_.remainder);
   }
   at_rest_ = false;
   idle_events_ = 0;

@@ -104,7 +104,7 @@ void Simulation<Dim, Real>::apply_overlap_rule() {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::limit_rewinds() {
   rewind_bound_.renew(spheres_, now_.remainder, collisions_);
-  const Real earliest = -rewind_bound_.longest();
+  const Real earliest = -rewind_bound_.longest(now_.remainder);
   for (auto& contact : ahead_.contacts) {
     if (contact.time < earliest) contact.time = 0;
   }

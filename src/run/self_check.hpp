@@ -31,7 +31,8 @@ class SelfCheck {
     if (collision.flight >= -rounding) return;
     const bool is_rewind = collision.overlapping &&
                            simulation.rules().overlap == OverlapRule::rewind &&
-                           -collision.flight <= simulation.longest_rewind() + rounding;
+                           -collision.flight <= simulation.longest_rewind() + rounding &&
+                           collision.time.remainder >= simulation.earliest_rewind();
     if (!is_rewind && !violation_) note_disorder(collision);
   }
 

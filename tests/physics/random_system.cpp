@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "support/gas.hpp"
 
@@ -66,6 +67,24 @@ void place_anywhere(RandomSystem& system, Dice& dice) {
         std::all_of(system.positions.begin(), system.positions.end(),
                     [&](const auto& other) { return nearest(place, other, system.sides) >= 1; });
     if (is_free) system.positions.push_back(place);
+  }
+}
+
+/// On the corners of a regular polygon, all flying to its centre, where they come to rest at low
+/// restitution: no momentum is left over. All meet at once, in an order that rounding decides.
+void place_on_a_polygon(RandomSystem& system, Dice& dice) {
+  const double step = 2 * std::numbers::pi / system.spheres;
+  const double least_radius = 0.5 / std::sin(step / 2);
+  const double radius = dice.between(1.01, 3) * least_radius;
+  const double turn = dice.between(0, step);
+  system.is_bare = false;  // as to an oracle
+  system.sides = {2 * radius + dice.between(2, 9), 2 * radius + dice.between(2, 9)};
+  for (int i = 0; i < system.spheres; ++i) {
+    const double angle = turn + i * step;
+    const double x = std::cos(angle), y = std::sin(angle);
+    system.positions.push_back(
+        {system.sides[0] / 2 + radius * x, system.sides[1] / 2 + radius * y});
+    system.velocities.push_back({-system.speed * x, -system.speed * y});
   }
 }
 
@@ -158,9 +177,13 @@ RandomSystem::RandomSystem(std::uint64_t seed) {
     const double least = is_line && axis == 0 ? 1.1 * spheres + 2.1 : 3 + spheres / 3.0;
     sides.push_back(least * dice.between(1, 3));
   }
-  if (is_line) place_on_a_line(*this, dice);
-  if (!is_line) place_anywhere(*this, dice);
-  set_in_motion(*this, dice, is_line && dice.below(3) != 0);
+  if (dimension == 2 && spheres > 2 && dice.below(4) == 0) {
+    place_on_a_polygon(*this, dice);
+  } else {
+    if (is_line) place_on_a_line(*this, dice);
+    if (!is_line) place_anywhere(*this, dice);
+    set_in_motion(*this, dice, is_line && dice.below(3) != 0);
+  }
   more = "[drive]\n" + drive(*this, dice);
   more += surroundings(*this, dice);
   more += contact(*this, dice);

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -57,6 +59,41 @@ TYPED_TEST(Rewind, EndsThreeStickingRodsAtTheirCommonVelocity) {
   for (const int rod : {0, 1, 2}) {
     EXPECT_LT(abs(rods.peculiar_velocity(rod)[0] + Real(1) / 6),
               16 * std::numeric_limits<Real>::epsilon());
+  }
+}
+
+/// Sticking disks on a regular polygon of radius 3, that fly to its centre at speed 1.
+template <class Real>
+Simulation<2, Real> sticking_polygon(int disks) {
+  Configuration<2, Real> start;
+  for (int k = 0; k < disks; ++k) {
+    const double angle = 2 * std::numbers::pi * k / disks + 0.3;
+    const Vec<2, Real> outward{{Real(std::cos(angle)), Real(std::sin(angle))}};
+    start.positions.push_back(outward * Real(3) + Vec<2, Real>{{Real(10), Real(10)}});
+    start.velocities.push_back(outward * Real(-1));
+  }
+  return Simulation<2, Real>(ShearBox<2, Real>({Real(20), Real(20)}, 0), start,
+                             {Real(0), OverlapRule::rewind});
+}
+
+// They touch where the polygon has sides of 1: n of them on a circle of radius 1 / (2 sin(pi/n)).
+// No momentum is left: from then on all speeds are rounding, and a contact that is overlap over
+// closing speed may lie anywhere.
+TYPED_TEST(Rewind, LeavesDisksThatHaveComeToRestWhereAndWhenTheyMet) {
+  using Real = TypeParam;
+  for (const int disks : {5, 6, 7, 8}) {
+    auto polygon = sticking_polygon<Real>(disks);
+    const double radius = 0.5 / std::sin(std::numbers::pi / disks);
+    double latest = 0;
+    for (int call = 0; call < 2000 && !polygon.has_reached(30) && !polygon.is_at_rest(); ++call) {
+      polygon.next_collision(30);
+      EXPECT_GE(polygon.time(), std::min(latest, 3 - radius) - 1e-5);
+      latest = std::max(latest, polygon.time());
+    }
+    for (const auto& place : polygon.configuration().positions) {
+      const auto [x, y] = std::array{double(place[0]) - 10, double(place[1]) - 10};
+      EXPECT_NEAR(std::hypot(x, y), radius, 1e-5) << disks << " disks";
+    }
   }
 }
 
