@@ -37,7 +37,8 @@ class Given:
         for number, (time, places, edges) in enumerate(zip(self.times, self.positions, self.edges)):
             velocities = (np.zeros_like(places) if self.velocities is None
                           else self.velocities[number])
-            yield Frame(number, time, places, velocities, velocities, PeriodicBox(edges, self.walls),
+            box = PeriodicBox(edges, self.walls)
+            yield Frame(number, time, places, velocities, velocities, box,
                         is_in_detail=number < self.in_detail)
 
 

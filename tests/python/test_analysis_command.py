@@ -31,7 +31,7 @@ def given(dimension, spheres, kind="none", **tables):
             "start": {"arrangement": "random", "granular_temperature": 1.0},
             "drive": {"kind": kind}, "run": {"time": 3.0},
             "output": {"snapshot_interval": 0.1}} | tables
-    if "sides" not in case["system"]:
+    if not {"sides", "solids_volume_fraction"} & set(case["system"]):
         case["system"]["solids_volume_fraction"] = 0.2
     return case
 
@@ -165,16 +165,23 @@ def test_places_of_24_bits_give_the_same(tmp_path):
     assert rounded["diffusion"]["value"] == pytest.approx(exact["diffusion"]["value"], rel=1e-4)
 
 
-def test_normal_speed_and_flight_of_elastic_spheres_are_those_of_kinetic_theory(tmp_path):
-    """sqrt(pi T) at T = 1; flights last as long as there are spheres / (2 collisions), less ends."""
+def test_elastic_spheres_have_the_numbers_of_kinetic_theory(tmp_path):
+    """Normal speed sqrt(pi T); flights as long as there are spheres / (2 collisions), less ends;
+    g at contact (Z - 1) / (4 phi); the mean speed sqrt(8 T / pi) over the collision rate."""
     case = given(3, 500, run={"time": 10.0}, system={
         "dimension": 3, "spheres": 500, "restitution": 1, "solids_volume_fraction": 0.3})
     path = recorded(tmp_path, case)
-    found = zenosphere.analyse(path)["collision_distributions"]
-    assert found["normal_speed"]["mean"] == pytest.approx(np.sqrt(np.pi), rel=0.01)
-    collisions = zenosphere.open(path).summary["collisions"]
-    assert found["normal_speed"]["number"] == collisions
-    assert found["flight_time"]["mean"] == pytest.approx(500 * 10 / (2 * collisions), rel=0.02)
+    found, summary = zenosphere.analyse(path), zenosphere.open(path).summary
+    log, collisions = found["collision_distributions"], summary["collisions"]
+    assert log["normal_speed"]["mean"] == pytest.approx(np.sqrt(np.pi), rel=0.01)
+    assert log["normal_speed"]["number"] == collisions
+    assert log["flight_time"]["mean"] == pytest.approx(500 * 10 / (2 * collisions), rel=0.02)
+    contact = found["contact_value"]
+    expected = (summary["averages"]["compressibility_factor"] - 1) / (4 * 0.3)
+    assert contact["value"] == pytest.approx(expected, abs=5 * contact["standard_error"])
+    assert contact["standard_error"] < 0.06
+    assert found["mean_free_path"]["value"] == pytest.approx(
+        np.sqrt(8 / np.pi) / summary["averages"]["collision_rate"], rel=0.01)
 
 
 @pytest.mark.parametrize("words, told", [
@@ -192,6 +199,7 @@ def test_wrong_words_are_one_line_and_exit_code_2(tmp_path, capsys, monkeypatch,
 
 def test_file_that_cannot_be_written_is_exit_code_4(tmp_path, capsys):
     path = recorded(tmp_path, CASES["two disks"])
+    capsys.readouterr()
     for words in (["-o", "no/found.json"], ["-o", "no/found.csv"], ["--figures", "run.h5"]):
         assert main(["analyse", str(path), words[0], str(tmp_path / words[1])]) == 4
         assert len(capsys.readouterr().err.splitlines()) == 1

@@ -10,8 +10,8 @@ from .figures import draw_analysis
 
 WRITERS = {".json": tables.write_json, ".csv": tables.write_tables}
 
-EPILOG = """FILE.json holds the object that --json prints; FILE.csv the numbers, with a table for each
-curve beside it (FILE-radial-distribution.csv and so on). docs/measurements.md defines all of them."""
+EPILOG = """FILE.json holds the object that --json prints; FILE.csv the numbers, with a table for
+each curve beside it (FILE-radial-distribution.csv and so on). docs/measurements.md defines them."""
 
 
 def add_analyse(commands, add_look):

@@ -9,14 +9,14 @@ FREE_TIMES = 40  # of flight, the length of a stretch: the fit begins at half of
 FEWEST_LAGS = 10
 EVEN = 1e-6  # relative, of the times between snapshots
 MOST_STRAIN = 0.3  # between snapshots; what a displacement along the flow then lacks: below 1 %
-DIFFUSIVE = 0.15  # of the exponent about 1
+DIFFUSIVE = 0.2  # of the exponent about 1
 
 
 class Displacements:
     """How far spheres come relative to the flow and to their common motion.
 
-    The snapshots are cut into stretches of 40 mean free times; each begins anew at its first one, so
-    that one set of displacements is kept at a time. A step between snapshots is unwrapped by its
+    The snapshots are cut into stretches of 40 mean free times; each begins anew at its first one,
+    so that one set of displacements is kept at a time. A step between snapshots is unwrapped by its
     nearest image, less what the shear has carried the sphere along; that is certain only while
     the fastest sphere comes less than half a side. Between walls nothing is unwrapped along their
     normal, and the common motion is left in.
@@ -115,8 +115,12 @@ class Displacements:
                 "by_axis": {AXES[axis]: column for axis, column in enumerate(by_axis.T)}}
 
     def _diffusion(self, time, squares):
-        """Half the slope along the certain periodic axes, over the second half of a stretch."""
-        axes = [axis for axis in self._axes if self._is_certain[axis]]
+        """Half the slope over the second half of a stretch, along the certain periodic axes.
+
+        Under shear along those across the flow: along it, the shear makes spheres spread faster.
+        """
+        axes = [axis for axis in self._axes
+                if self._is_certain[axis] and not (axis == 0 and self.shear_rate)]
         if not axes or self._lags < FEWEST_LAGS:
             return measured([])
         rows = squares[:, :, axes].mean(axis=2)

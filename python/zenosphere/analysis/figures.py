@@ -47,7 +47,7 @@ def radial_distribution(axes, results):
 
 
 def by_direction(axes, results):
-    """g near contact against the direction of the pair, and g(r) along two directions inset."""
+    """g(r) along two directions; inset, g near contact against the direction."""
     curve = results["radial_distribution_by_direction"]
     if not curve:
         return False
@@ -58,7 +58,7 @@ def by_direction(axes, results):
         axes.plot(curve["r"], pair, linewidth=1, label=f"{name}, {middle:.0f}°")
     axes.axhline(1, color="0.7", linewidth=0.6, zorder=0)
     axes.set(xlabel="Distance $r$ (diameters)", ylabel=r"$g(r, \theta)$", ylim=(0, None))
-    axes.legend(loc="upper right", bbox_to_anchor=(1, 0.5), title=r"$\theta$ from the flow",
+    axes.legend(loc="upper right", bbox_to_anchor=(1, 0.45), title=r"$\theta$ from the flow",
                 title_fontsize="small")
     inset = axes.inset_axes((0.5, 0.58, 0.46, 0.38))
     inset.step(np.degrees(angle), curve["g"][:, 0], where="mid", color=INK, linewidth=1)

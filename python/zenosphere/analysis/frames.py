@@ -9,7 +9,7 @@ import numpy as np
 from ..errors import InputError
 from .periodic_box import PeriodicBox
 
-MOST_IN_DETAIL = 60  # snapshots for what is costly: g(r) and S(k) as whole curves
+MOST_IN_DETAIL = 40  # snapshots for what is costly: g(r) and S(k) as whole curves
 AXES = "xyz"
 
 

@@ -125,7 +125,7 @@ def contact_width(frames, reach):
     this density, where a cubic is right to some 1e-4.
     """
     dimension = frames.dimension
-    fraction = frames.spheres * surface(dimension, 0.5) / (2 * dimension) / np.prod(frames.box.sides)
-    fraction = min(fraction, 0.99)
+    spheres = frames.spheres * surface(dimension, 0.5) / (2 * dimension)  # their volume
+    fraction = min(spheres / np.prod(frames.box.sides), 0.99)
     collisional = 2 ** (dimension - 1) * fraction * contact_value(dimension, fraction)
     return float(min(0.7 / collisional, WIDEST_CONTACT, reach - 1))

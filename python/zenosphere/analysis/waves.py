@@ -1,4 +1,4 @@
-"""Density waves of a snapshot: sums over spheres of exp(i k r) for the waves that fit into a box."""
+"""Density waves of a snapshot: sums over spheres of exp(i k r), k of waves that fit into a box."""
 
 import numpy as np
 from scipy.fft import next_fast_len, rfftn
@@ -16,13 +16,15 @@ class Waves:
     Waves are 2 pi times whole numbers over the box vectors, the slanted one under shear included.
     k and -k are the same wave: one of them is here, with the weight 2.
 
-    box: PeriodicBox;  k: 1/diameter, which the waves reach along each axis;  limit: of their number,
-    which lowers k in a large system.  Between walls, waves run along them.
+    box: PeriodicBox; between walls, waves run along them
+    k: which the waves reach along each axis, 1/diameter
+    limit: of their number; it lowers k in a large system
     """
 
     def __init__(self, box, k, limit):
         sides = np.where(np.arange(box.dimension) == box.walls, 0, box.sides)
-        reached = (np.floor(k * scale * sides / (2 * np.pi) + 1e-9) for scale in 0.9 ** np.arange(99))
+        wavelengths = k * sides / (2 * np.pi) + 1e-9
+        reached = (np.floor(wavelengths * scale) for scale in 0.9 ** np.arange(99))
         largest = next(most for most in reached if np.prod(2 * most + 1) / 2 <= limit)
         self.largest = np.maximum(largest, sides > 0).astype(int)
         last = len(sides) - 1
