@@ -1,6 +1,7 @@
 """`zenosphere analyse` and `zenosphere.analyse` on files of runs."""
 
 import json
+import re
 import subprocess
 import sys
 
@@ -8,7 +9,7 @@ import h5py
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from module import ENDLESS, SHEARED, needed
+from module import CHECKOUT, ENDLESS, SHEARED, needed, program
 
 import zenosphere
 from zenosphere.__main__ import main
@@ -110,6 +111,29 @@ def test_arrays_of_python_are_the_lists_of_the_program(tmp_path, capsys):
     assert told["radial_distribution"]["g"] == found["radial_distribution"]["g"].tolist()
     text = capsys.readouterr().out
     assert "11 snapshots of 60 spheres" in text and "N1 / p" in text and str(target) in text
+
+
+def test_program_prints_what_python_returns(tmp_path):
+    path = recorded(tmp_path, CASES["disks"])
+    told = strict(program("analyse", path, "--json").splitlines()[-1])
+    found = zenosphere.analyse(path)
+    assert told["structure_factor"]["s"] == found["structure_factor"]["s"].tolist()
+    assert told["contact_value"] == found["contact_value"]
+
+
+def keys_of(results):
+    """All keys, of dicts in dicts too; the axes of a curve are no keys."""
+    for key, value in results.items():
+        yield key
+        if isinstance(value, dict) and key != "by_axis":
+            yield from keys_of(value)
+
+
+def test_every_key_is_explained(tmp_path):
+    text = (CHECKOUT / "docs" / "measurements.md").read_text()
+    found = zenosphere.analyse(recorded(tmp_path, CASES["sheared disks"]))
+    unknown = {key for key in keys_of(found) if not re.search(rf"[`.]{key}[`.]", text)}
+    assert unknown == set()
 
 
 def test_tables_are_written_one_for_each_curve(tmp_path, capsys):

@@ -96,6 +96,14 @@ def test_waves_of_a_slid_box_follow_its_slanted_edge():
     assert np.sum(waves.weight[power > 1e-9]) == 26 and power.max() == pytest.approx(125)
 
 
+def test_wave_numbers_of_a_slid_box_are_those_of_its_reciprocal_vectors():
+    """In units of 2 pi / 6: (n0, n1 - n0 / 2) for the offset 3 of a square of side 6."""
+    edges = np.array([[6.0, 0], [3, 6]])
+    waves = Waves(PeriodicBox(edges), k=1.2, limit=np.inf)
+    expected = np.sqrt([1, 1.25, 1.25, 1.25, 3.25])
+    assert np.sort(waves.lengths(edges)) * 6 / (2 * np.pi) == pytest.approx(expected)
+
+
 @pytest.mark.parametrize("edges, walls", [
     ([[6.0, 0, 0], [2.5, 7, 0], [0, 0, 5]], None), (SLID_PLANE, None), ([[60.0]], None),
     (np.diag([6.0, 7, 5]), 2), (np.diag([6.0, 7]), 0)])

@@ -17,7 +17,7 @@ def mean_and_error(values):
     values: (n), numbers that are not finite are left out
     Returns (mean, error); the error is None where the series is worth fewer than 20 independent
     values: it is too short, or too short for its correlations.
-    Source: Flyvbjerg & Petersen, J. Chem. Phys. 91 (1989) 461, eqs. 26 to 28.
+    Source: Flyvbjerg & Petersen, J. Chem. Phys. 91 (1989) 461.
     """
     values = np.asarray(values, dtype=float)
     values = values[np.isfinite(values)]

@@ -9,7 +9,7 @@ def stresses(summary, shear_rate):
     viscosity = -P_xy / shear_rate, n1 = (P_xx - P_yy) / p, n2 = (P_yy - P_zz) / p, where P is the
     pressure tensor. Errors are those of the file, null where it has none; that of a difference is
     taken as if its two parts were independent.
-    Source: Alam & Luding, J. Fluid Mech. 476 (2003) 69.
+    Source: Alam & Luding, Phys. Fluids 15 (2003) 2298.
     """
     averages = summary.get("averages") or {}
     tensor, pressure = averages.get("pressure_tensor"), averages.get("pressure")

@@ -15,7 +15,7 @@ class Velocities:
     a2 = D <v^4> / ((D + 2) <v^2>^2) - 1 and a3 = 1 + 3 a2 - D^2 <v^6> / ((D + 2) (D + 4) <v^2>^3),
     the first coefficients of the expansion in Sonine polynomials; both are 0 for a Maxwellian. The
     moments of N spheres whose momentum is 0 are multiplied by what makes them unbiased then.
-    Source: Brilliantov & Poeschel, Europhys. Lett. 74 (2006) 424, eqs. 6 to 8.
+    Source: Brilliantov & Poeschel, Europhys. Lett. 74 (2006) 424.
 
     frames: Frames
     """
