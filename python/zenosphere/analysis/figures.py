@@ -98,7 +98,7 @@ def velocities(axes, results):
                   linewidth=0.9, label="Maxwell")
     axes.set(xlabel=f"Peculiar velocity component, {SPEED}", ylabel="Probability density",
              ylim=(curve["component_density"][held].min() / 3, None))
-    axes.legend(title=f"$a_2 = {results['sonine']['a2']:.3g}$", title_fontsize="small")
+    axes.legend(title=f"$a_2 = {results['sonine']['a2']:.4f}$", title_fontsize="small")
     return True
 
 
@@ -114,18 +114,19 @@ def profiles(axes, results):
             axes.plot(curve["y"], curve[name] / mean, style, linewidth=1,
                       label=f"{label} / {mean:.3g}")
     axes.set(xlabel=f"Place ${curve['axis']}$ (diameters)", ylabel="Relative to the mean",
-             ylim=(0, None))
+             ylim=(0, 1.1 * axes.dataLim.y1 if axes.get_lines() else 1))
     right = axes.twinx()
     right.plot(curve["y"], curve["velocity"], ":", color=COLOURS[2], linewidth=1.2,
                label="velocity $u_x$ (right)")
     right.set_ylabel("Velocity $u_x$ (diameters/time)")
     lines = axes.get_lines() + right.get_lines()
-    axes.legend(lines, [line.get_label() for line in lines], loc="lower center")
+    axes.legend(lines, [line.get_label() for line in lines], loc="lower left", ncols=3,
+                bbox_to_anchor=(0, 1), borderaxespad=0.2, columnspacing=1.2)
     return True
 
 
 def mean_square_displacement(axes, results):
-    """Displacement squared, of each axis and with the slope of the diffusion found."""
+    """Displacement squared along each axis, and the slope of the diffusion found."""
     curve = results["mean_square_displacement"]
     if not curve:
         return False
@@ -135,8 +136,11 @@ def mean_square_displacement(axes, results):
             axes.loglog(time, column[1:], linewidth=1, label=f"along {axis}")
     diffusion = results["diffusion"]
     if diffusion["value"] is not None:
-        axes.loglog(time, 2 * diffusion["value"] * time, "--", color=INK, linewidth=0.9,
-                    label=f"$2 D t$, $D$ = {_told(diffusion)}")
+        late = slice(len(time) // 2, None)
+        known = [each for each in curve["by_axis"].values() if np.isfinite(each).all()]
+        fitted = known[-1][-1] + 2 * diffusion["value"] * (time[late] - time[-1])
+        axes.loglog(time[late], fitted, "--", color=INK, linewidth=1.1,
+                    label=f"slope $2 D$, $D$ = {_told(diffusion)}")
     if not axes.get_lines():
         return False
     axes.set(xlabel="Time (time unit of the case)",
