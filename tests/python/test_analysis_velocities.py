@@ -77,6 +77,12 @@ def test_profile_of_a_sheared_box_is_that_of_the_shear():
     assert curve["velocity"] == pytest.approx(2 * (curve["y"] - 5), abs=0.15)  # 5 x 2 / sqrt(4000)
     assert curve["granular_temperature"] == pytest.approx([1] * 5 + [4] * 5, rel=0.08)
     assert curve["solids_volume_fraction"] == pytest.approx(10 * np.pi / 4, rel=0.08)
+    # 40 snapshots of about 100 disks a layer, of which each has two components.
+    for name, error in (("solids_volume_fraction", 0.1 / np.sqrt(40) * 10 * np.pi / 4),
+                        ("velocity", np.repeat([1, 2], 5) / np.sqrt(4000)),
+                        ("granular_temperature", np.repeat([1, 4], 5) / np.sqrt(4000))):
+        ratio = curve[f"{name}_standard_error"] / error
+        assert np.nanmean(ratio) == pytest.approx(1, rel=0.25)
 
 
 def test_profile_between_walls_runs_along_their_normal():
