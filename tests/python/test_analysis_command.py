@@ -228,3 +228,11 @@ def test_missing_scipy_is_said_in_one_line(tmp_path):
     assert done.returncode == 2
     [line] = done.stderr.splitlines()
     assert "python3-scipy" in line
+
+
+def test_run_that_ended_before_its_averages_began_says_which_time_to_choose(tmp_path, capsys):
+    path = recorded(tmp_path, CASES["spheres"] | {"measure": {"after_time": 20.0}})
+    assert main(["analyse", str(path)]) == 2
+    [line] = capsys.readouterr().err.splitlines()
+    assert "no snapshot in the time from 20 " in line and "--from-time" in line
+    assert zenosphere.analyse(path, from_time=0)["snapshots"] == 31

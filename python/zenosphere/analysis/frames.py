@@ -121,10 +121,10 @@ class Frames:
         return self.last.time - self.first.time
 
     def _usual_start(self):
-        averages = self.output.summary.get("averages") or {}
-        begin = averages.get("from_time")
-        chosen = self.case.get("measure", {}).get("after_time", 0.0)
-        return begin if begin is not None else chosen if isinstance(chosen, float) else 0.0
+        begin = (self.output.summary.get("averages") or {}).get("from_time")
+        if begin is None:  # nothing has been averaged
+            begin = self.case.get("measure", {}).get("after_time", 0.0)
+        return begin if isinstance(begin, (int, float)) else 0.0
 
     def _peculiar(self, state):
         velocities = state.peculiar_velocities
