@@ -31,6 +31,7 @@ constexpr std::array examples{
     Example{"cooling", "zenosphere cooling run.h5 -o cooling.png"},
     Example{"movie", "zenosphere movie run.h5 -o run.mp4"},
     Example{"ensemble", "zenosphere ensemble study.sqlite -o figures"},
+    Example{"analyse", "zenosphere analyse run.h5 -o run.csv --figures figures"},
     Example{"completion", "zenosphere completion bash > zenosphere.bash"},
     Example{"manual", "zenosphere manual run | man -l -"},
 };

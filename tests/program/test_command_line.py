@@ -16,7 +16,8 @@ def test_help_lists_the_commands_that_exist_and_no_other(program):
     done = program("--help")
     assert set(commands_in(done.stdout)) == {
         "run", "resume", "check", "info", "adjudicate", "verify", "sweep", "export", "report",
-        "new", "examples", "figures", "report", "cooling", "movie", "ensemble", "completion", "manual"}
+        "new", "examples", "figures", "report", "cooling", "movie", "ensemble", "analyse",
+        "completion", "manual"}
     assert done.stderr == ""
 
 
