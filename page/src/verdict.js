@@ -16,9 +16,8 @@ export function arrestedPairs(run, most = 4) {
 
 const SENTENCES = {
   true: (run, { arrest }) =>
-    `Arrest: this computation met the arrest criterion at collision ` +
-    `${grouped(arrest.collision)}. Its clock stands still at ${unit(run)} ` +
-    `${short(arrest.time * scale(run), 8)}, and the ${arrestedPairs(run)} ` +
+    `Arrest: at collision ${grouped(arrest.collision)} this computation stands still at ` +
+    `${unit(run)} ${short(arrest.time * scale(run), 8)}, and the ${arrestedPairs(run)} ` +
     `${arrest.pairs.length === 1 ? "repeats" : "repeat"} for ever. Whether the spheres had ` +
     `collapsed is for adjudication to tell.`,
   temporary: (run, { collisions, separation: hits }) =>

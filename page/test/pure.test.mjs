@@ -483,9 +483,8 @@ describe("what is said", () => {
     };
     assert.equal(
       sentence(run({ verdict: "true", arrest })),
-      "Arrest: this computation met the arrest criterion at collision 90. Its clock stands still at " +
-        "time 2.5, and the pairs 1\u20132, 3\u20134 repeat for ever. Whether the spheres had collapsed is " +
-        "for adjudication to tell.",
+      "Arrest: at collision 90 this computation stands still at time 2.5, and the pairs 1\u20132, 3\u20134 " +
+        "repeat for ever. Whether the spheres had collapsed is for adjudication to tell.",
     );
   });
 

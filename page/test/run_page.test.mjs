@@ -84,7 +84,7 @@ describe("the page of an arrest", () => {
 
   test("says in one sentence which pair repeats for ever", async () => {
     const text = await page.locator(".sentence").textContent();
-    assert.match(text, /Arrest: this computation/);
+    assert.match(text, /Arrest: at collision/);
     assert.match(text, /pair 2489\u20132526 repeats for ever/);
   });
 
