@@ -28,10 +28,13 @@ std::string end_of_law(const JudgedApproach& judged) {
   if (!judged.curvature) return "";
   const auto decade = gives_way_at(*judged.curvature);
   if (!decade) return "; the curvature of the contacts dies out";
-  return fmt::format(
+  const std::string end = fmt::format(
       "; but the curvature of the contacts grows, and by the same law opens the gaps again near "
-      "1e-{:.0f}: more digits would show",
+      "1e-{:.0f}",
       *decade);
+  int digits = 200;
+  while (digits < *decade + digits_to_spare && digits < most_digits) digits *= 2;
+  return digits < most_digits ? fmt::format("{}: --up-to digits{} would show", end, digits) : end;
 }
 
 /// What leaves an approach undecided.
