@@ -20,7 +20,7 @@ COLOUR_BAR, LEGEND = 0.5, 1.05  # inches, below the panels
 TICK_SIZE, TITLE_SIZE, LARGEST_NUMBER = 8, 9, 7  # points
 GLYPH = 0.5  # mean width of a letter over the font size
 FRAME = 0.03  # of a cell, around a bar
-NO_RUN, NOT_DONE = "#d9d9d9", "#d55e00"
+NO_RUN, NOT_DONE, INCOMPLETE = "#d9d9d9", "#d55e00", "0.6"
 
 # Okabe & Ito's palette; blue, darker the more the run shows of it, is a collapse of the spheres.
 FINDINGS = {
@@ -156,7 +156,7 @@ def _stacks(axes, counts, row, frame):
                  hatch=HATCHED.get(name), edgecolor="0.55")
         bottom = bottom + share
     for place in np.argwhere(counts.done[:, :, row] < counts.runs[:, :, row]):
-        _hatch(axes, place[::-1], "0.8")
+        _hatch(axes, place[::-1], INCOMPLETE)
     axes.set_xlim(0, done.shape[0])
     axes.set_ylim(0, done.shape[1])
 
@@ -168,13 +168,16 @@ def _hatch(axes, place, colour):
 
 
 def _findings_legend(counts):
-    """Patches of the kinds that occur; no hit and no run last."""
+    """Patches of the kinds that occur; no hit, no run and what is incomplete last."""
     shown = [Patch(facecolor=colour, label=text, hatch=HATCHED.get(name), edgecolor="0.55",
                    linewidth=0.5)
              for name, (colour, text) in FINDINGS.items() if counts.findings[name].any()]
     shown.append(Patch(facecolor="white", edgecolor="0.55", linewidth=0.5, label="no hit"))
     if not counts.done.all():
         shown.append(Patch(facecolor=NO_RUN, label="no run done"))
+    if (counts.done < counts.runs).any():
+        shown.append(Patch(facecolor="white", edgecolor=INCOMPLETE, hatch="///", linewidth=0.5,
+                           label="hatched: only some of the runs of this point are done"))
     return shown
 
 
