@@ -23,6 +23,20 @@ std::string law_of(const JudgedApproach& judged) {
   return law;
 }
 
+/// Whether a fall by the same law can go on for ever.
+std::string end_of_law(const JudgedApproach& judged) {
+  if (!judged.curvature) return "";
+  const auto decade = gives_way_at(*judged.curvature);
+  if (!decade) return "; the curvature of the contacts dies out";
+  const std::string end = fmt::format(
+      "; but the curvature of the contacts grows, and by the same law opens the gaps again near "
+      "1e-{:.0f}",
+      *decade);
+  int digits = 200;
+  while (digits < *decade + digits_to_spare && digits < most_digits) digits *= 2;
+  return digits < most_digits ? fmt::format("{}: --up-to digits{} would show", end, digits) : end;
+}
+
 /// What leaves an approach undecided.
 std::string doubt_of(const JudgedApproach& judged, const ApproachEvidence& evidence,
                      const std::string& who) {
@@ -78,12 +92,13 @@ std::string sentence_of(const JudgedApproach& judged, const ApproachEvidence& ev
     case Finding::singular:
       return fmt::format(
           "the gaps of {} fall to 1e-{}, all that {} has, {}, with energy lost; if they go on so, "
-          "infinitely many collisions {}{}",
+          "infinitely many collisions {}{}{}",
           who, judged.decades, precision, law_of(judged),
           judged.collapse_time
               ? fmt::format("end at {} +- {:.1g}", *judged.collapse_time,
                             judged.uncertainty.value_or(0))
               : std::string("take a finite time, whose end could not be extrapolated"),
+          end_of_law(judged),
           judged.reopened_to
               ? "; behind the last digit they grow again, by the overlap rule or, as "
                 "more digits might show, by themselves"

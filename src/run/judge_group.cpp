@@ -112,6 +112,7 @@ JudgedApproach judged(const SeenApproach& seen, const std::vector<FollowedGroup>
                         .word = seen.evidence.word,
                         .ratio = seen.evidence.ratio,
                         .steady = approach.steady,
+                        .curvature = seen.evidence.curvature,
                         .reopened_to = approach.reopened_to,
                         .milestones = seen.milestones,
                         .followed_from = top.begin.collisions,
