@@ -222,9 +222,15 @@ template <int Dim, class Real>
 Configuration<Dim, Real> Simulation<Dim, Real>::configuration() const {
   Configuration<Dim, Real> state = spheres_.configuration(now_.units, now_.remainder);
   if (!frame_.moves()) return state;
-  const Vector place = frame_.place(now_);
+  const auto frame = frame_.place(now_, state.offset);
   const Vector velocity = frame_.velocity(now_);
-  for (Vector& position : state.positions) position = frame_.wrapped(position + place);
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    typename MovingFrame<Dim, Real>::Place place{state.positions[i] + frame.in_box,
+                                                 state.boxes[i] + frame.boxes};
+    frame_.wrap(place, state.offset);
+    state.positions[i] = place.in_box;
+    state.boxes[i] = place.boxes;
+  }
   for (Vector& own : state.velocities) own += velocity;
   return state;
 }

@@ -56,8 +56,9 @@ class Simulation {
  public:
   using Vector = Vec<Dim, Real>;
 
-  /// \param box           the box at strain 0
-  /// \param start         equally many positions and velocities, at least one
+  /// \param box           the box without its offset
+  /// \param start         equally many positions and velocities, at least one; its boxes count for
+  ///                      nothing, its offset must be 0 where the box is closed along x or y
   /// \param surroundings  with walls exactly where the box is closed
   Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
              const ContactRules<Real>& rules, const Surroundings<Dim, Real>& surroundings = {});
@@ -176,8 +177,7 @@ class Simulation {
     return frame_.moves() ? velocity + frame_.velocity(now_) : velocity;
   }
 
-  /// The state now, wrapped into the box, as a configuration at strain 0 describes it; under shear
-  /// the images of the box along y are displaced by lees_edwards_offset().
+  /// The state now, wrapped into the box.
   Configuration<Dim, Real> configuration() const;
 
   /// Displacement of the upper image of the box along x, in [-side/2, side/2), diameters.

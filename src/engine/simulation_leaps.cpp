@@ -18,7 +18,8 @@ namespace zenosphere {
 /// of its ball: so settle() knows that all have to come home.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::leap() {
-  constexpr int balls_each = 16;  // that are crossed, at least
+  constexpr int balls_each = 16;                // that are crossed, at least
+  if (spheres_.has_displaced_images()) return;  // time_apart() knows upright grids only
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Meeting<Real>& first = meetings(i).first();
     if (first.is_with_anybody() && is_stale(first)) predict(i);
@@ -75,7 +76,7 @@ Real Simulation<Dim, Real>::certainly_apart(const Real& least) const {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::come_home() {
   if (!is_idle() || box().is_sheared()) return;
-  for (std::int32_t i = 0; i < spheres(); ++i) spheres_.bring_back(spheres_[i], now_.remainder);
+  for (std::int32_t i = 0; i < spheres(); ++i) spheres_.bring_back(i, now_.remainder);
   for (std::int32_t i = 0; i < spheres(); ++i) {
     spheres_.settle(i, now_.remainder, now_.remainder);
   }

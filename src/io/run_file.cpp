@@ -61,6 +61,9 @@ RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_st
     for (const std::string name : {"position/value", "velocity/value"}) {
       require_shape(file_, spheres_group + name, {snapshots, info_.spheres, dimension});
     }
+    if (has_images()) {
+      require_shape(file_, spheres_group + "image/value", {snapshots, info_.spheres, dimension});
+    }
     require_shape(file_, spheres_group + "box/edges/value", {snapshots, dimension, dimension});
     require_shape(file_, spheres_group + "position/time", {snapshots});
     for (const std::string name : {"k", "time", "i", "j", "gap", "normal_speed", "flags"}) {
@@ -68,6 +71,8 @@ RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_st
     }
   });
 }
+
+bool RunFile::has_images() const { return hdf5::contains(file_, spheres_group + "image/value"); }
 
 Snapshot RunFile::snapshot(std::int64_t n) const {
   return reading(path_, [&] {
@@ -79,7 +84,10 @@ Snapshot RunFile::snapshot(std::int64_t n) const {
         .positions = row<double>(file_, spheres_group + "position/value", n, components),
         .velocities = row<double>(file_, spheres_group + "velocity/value", n, components),
         .box_edges =
-            row<double>(file_, spheres_group + "box/edges/value", n, dimension * dimension)};
+            row<double>(file_, spheres_group + "box/edges/value", n, dimension * dimension),
+        .images = has_images()
+                      ? row<std::int32_t>(file_, spheres_group + "image/value", n, components)
+                      : std::vector<std::int32_t>{}};
   });
 }
 

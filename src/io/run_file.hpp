@@ -38,6 +38,8 @@ class RunFile {
   std::filesystem::path path_;
   OutputInfo info_;
   hdf5::Handle file_;
+
+  bool has_images() const;  ///< files of earlier programs have none
 };
 
 }  // namespace zenosphere

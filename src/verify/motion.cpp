@@ -108,15 +108,6 @@ typename Motion<Dim>::Vector Motion<Dim>::without(const Vector& boxes, Vector be
 }
 
 template <int Dim>
-typename Motion<Dim>::Vector Motion<Dim>::nearest(Vector between, Number time,
-                                                  Number& boxes_up) const {
-  const Vector boxes = boxes_to_nearest(between, time);
-  boxes_up = Dim > 1 ? boxes[Dim > 1 ? 1 : 0] : Number(0);
-  return without(boxes, between, time);
-}
-
-/// Displacement of the upper image of the box along x, unwrapped since the start of the replay.
-template <int Dim>
 typename Motion<Dim>::Number Motion<Dim>::image_offset(Number time) const {
   if constexpr (Dim == 1) return 0;
   return start_offset_ + shear_rate_ * sides_[Dim > 1 ? 1 : 0] * (time - start_time_);

@@ -70,15 +70,13 @@ class Motion {
                        Number contact) const;
   Meeting<Dim> wall_meeting(const Body<Dim>& body, int wall, Number time) const;
 
-  /// The vector between two unwrapped places to the nearest image of the second.
-  ///
-  /// \param boxes_up  set to how many boxes above the image the second place is
-  Vector nearest(Vector between, Number time, Number& boxes_up) const;
-
   /// How many boxes lie between two unwrapped places whose nearest images are wanted, and the
   /// vector between them without these.
   Vector boxes_to_nearest(Vector between, Number time) const;
   Vector without(const Vector& boxes, Vector between, Number time) const;
+
+  /// Displacement of the upper image of the box along x, unwrapped since the start of the replay.
+  Number image_offset(Number time) const;
 
   /// Velocity along x of an image, against that of the place so many boxes above it.
   Number image_velocity(Number boxes_up) const;
@@ -96,8 +94,6 @@ class Motion {
   Number storage_error() const { return storage_error_; }
 
  private:
-  Number image_offset(Number time) const;
-
   Vector sides_;
   Vector acceleration_;
   std::optional<int> closed_;

@@ -46,6 +46,7 @@ void Replay<Dim>::start(const Snapshot& snapshot) {
   done_ = snapshot.step;
   has_start_ = true;
   motion_.start(snapshot.time, Dim > 1 ? snapshot.box_edges[Dim] : 0);
+  images_ = snapshot.images;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Vector position;
     Vector velocity;
@@ -221,9 +222,9 @@ void Replay<Dim>::compare_sphere(std::int32_t i, const Snapshot& snapshot, Findi
     between[axis] += snapshot.positions[at];
     velocity[axis] += snapshot.velocities[at];
   }
-  Number boxes_up = 0;
-  const Number distance = length(motion_.nearest(between, snapshot.time, boxes_up));
-  velocity[0] -= motion_.image_velocity(boxes_up);
+  const Vector boxes = motion_.boxes_to_nearest(between, snapshot.time);
+  const Number distance = length(motion_.without(boxes, between, snapshot.time));
+  velocity[0] -= motion_.image_velocity(Dim > 1 ? boxes[Dim > 1 ? 1 : 0] : Number(0));
   const Number speed = length(expected.velocity) + motion_.shear_rate() * motion_.longest_side();
   const Number clock = 2 * motion_.clock_error(snapshot.time);
   const Number bound = expected.position_error + motion_.storage_error() + speed * clock;
@@ -243,6 +244,36 @@ void Replay<Dim>::compare_sphere(std::int32_t i, const Snapshot& snapshot, Findi
         "leads to (0 within {:.2g})",
         snapshot.step, i, static_cast<double>(length(velocity)),
         static_cast<double>(velocity_bound)));
+  } else {
+    compare_image(i, snapshot, boxes, findings);
+  }
+}
+
+/// The sphere has come through as many boxes as its flights since the start of the replay have led
+/// it through, and through those that it had come through before; along x also by what the offset
+/// of those above is reduced.
+///
+/// \param boxes  from where its flights lead to where the snapshot has it
+template <int Dim>
+void Replay<Dim>::compare_image(std::int32_t i, const Snapshot& snapshot, const Vector& boxes,
+                                Findings& findings) const {
+  if (images_.empty() || snapshot.images.empty()) return;
+  const std::size_t at = static_cast<std::size_t>(i) * Dim;
+  Vector expected = boxes * Number(-1);
+  for (int axis = 0; axis < Dim; ++axis) {
+    expected[axis] += images_[at + static_cast<std::size_t>(axis)];
+  }
+  if constexpr (Dim > 1) {
+    const Number reduced = motion_.image_offset(snapshot.time) - snapshot.box_edges[Dim];
+    expected[0] += expected[1] * std::round(reduced / motion_.sides()[0]);
+  }
+  for (int axis = 0; axis < Dim; ++axis) {
+    const std::int32_t image = snapshot.images[at + static_cast<std::size_t>(axis)];
+    if (static_cast<Number>(image) == expected[axis]) continue;
+    findings.add(
+        fmt::format("snapshot at collision {}: sphere {} has the image {} along axis {} "
+                    "(the log leads it to {})",
+                    snapshot.step, i, image, axis, static_cast<double>(expected[axis])));
   }
 }
 

@@ -32,6 +32,8 @@ SnapshotCheck::SnapshotCheck(const Case& values, double last_time)
 bool SnapshotCheck::observe(const Snapshot& snapshot, std::optional<double> dissipated,
                             Findings& findings) {
   if (!check_numbers(snapshot, findings)) return false;
+  const bool may_lean = values_.start.arrangement == Arrangement::file && sides_.size() > 1;
+  if (!first_ && may_lean) start_offset_ = snapshot.box_edges[sides_.size()];
   check_box(snapshot, findings);
   check_overlaps(snapshot, findings);
   Sums sums = sums_of(snapshot, dissipated);
@@ -79,7 +81,7 @@ void SnapshotCheck::check_box(const Snapshot& snapshot, Findings& findings) cons
       double bound = 1e-12 * sides_[row];
       if (row == 1 && column == 0) {
         const double slide = values_.drive.shear_rate * sides_[1] * snapshot.time;
-        expected = edge + std::remainder(slide - edge, sides_[0]);
+        expected = edge + std::remainder(start_offset_ + slide - edge, sides_[0]);
         bound = 1e-12 * (sides_[0] + slide);
       }
       if (std::abs(edge - expected) <= bound) continue;

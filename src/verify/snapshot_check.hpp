@@ -53,6 +53,7 @@ class SnapshotCheck {
   std::vector<double> sides_;
   std::vector<double> acceleration_;
   std::optional<int> closed_;
+  double start_offset_ = 0;  ///< of the images, where a file tells it, diameters
   std::optional<Sums> first_;
   std::optional<Sums> last_;
   std::int64_t balances_ = 0;
