@@ -12,6 +12,7 @@
 
 #include "io/checksum.hpp"
 #include "io/durable.hpp"
+#include "io/file_checksum.hpp"
 #include "io/hdf5_contents.hpp"
 #include "io/rehearsal.hpp"
 #include "model/errors.hpp"
@@ -28,11 +29,7 @@ using Seal = std::array<std::uint8_t, sizeof(std::uint32_t)>;
 
 /// CRC-32C of the first `size` bytes of a file, as it is stored.
 Seal seal_of(const FileDescriptor& file, std::uint64_t size) {
-  constexpr std::uint64_t bytes_at_once = 1 << 20;
-  std::uint32_t sum = 0;
-  for (std::uint64_t offset = 0; offset < size; offset += bytes_at_once) {
-    sum = checksum(read_at(file, offset, std::min(bytes_at_once, size - offset)), sum);
-  }
+  const std::uint32_t sum = file_checksum(file, size);
   Seal seal{};
   std::memcpy(seal.data(), &sum, sizeof sum);
   return seal;
