@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from .errors import InputError, OutputError
+from .version import __version__
 
 if TYPE_CHECKING:
     from .case import Case
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from .run import COLLISION_DTYPE, Run, State
 
 __all__ = ["COLLISION_DTYPE", "Case", "InputError", "Output", "OutputError", "Run", "State", "open"]
-__version__ = "0.1.0"  # of CMakeLists.txt
 
 _COMPILED = {"COLLISION_DTYPE": ".run", "Case": ".case", "Output": ".output", "Run": ".run",
              "State": ".run", "open": ".output"}
