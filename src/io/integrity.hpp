@@ -7,7 +7,7 @@
 
 /// Checksums of a finished output file: which bit has changed since it was written?
 ///
-/// Two kinds, both CRC-32C (docs/file-format.md, docs/decisions/0023-checksums.md): a list of all
+/// Two kinds, both CRC-32C (docs/file-format.md, docs/decisions/0024-checksums.md): a list of all
 /// datasets and attributes, which tells where damage is and outlives a rewriting by other programs;
 /// and one checksum of all bytes behind the end of HDF5's part, which finds whatever the list does
 /// not see, and is gone as soon as another program writes to the file.
