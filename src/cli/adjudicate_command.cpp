@@ -13,6 +13,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/values.hpp"
 #include "io/case_file.hpp"
+#include "io/integrity.hpp"
 #include "io/keep_adjudication.hpp"
 #include "io/output_reader.hpp"
 #include "model/errors.hpp"
@@ -36,6 +37,7 @@ struct Arguments {
 
 int adjudicate(const Arguments& arguments) {
   const bool is_output = is_hdf5_file(arguments.file);
+  if (is_output) checked_integrity(arguments.file);
   const Case values = is_output ? parse_case(read_output_info(arguments.file).resolved_case,
                                              arguments.file, arguments.overrides)
                                 : case_from(arguments.file, arguments.overrides);

@@ -34,6 +34,21 @@ std::string adjudication_line(const OutputInfo& info) {
   return fmt::format("  adjudicated             {}: {}\n", text("finding"), text("sentence"));
 }
 
+/// Nothing where nobody has looked.
+Json word(Integrity integrity) {
+  switch (integrity) {
+    case Integrity::unread:
+      return {};
+    case Integrity::unknown:
+      return "none";
+    case Integrity::values_unchanged:
+      return "values unchanged";
+    case Integrity::bytes_unchanged:
+      return "bytes unchanged";
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string to_json(const OutputInfo& info) {
@@ -48,6 +63,7 @@ std::string to_json(const OutputInfo& info) {
                   {"logged_collisions", info.logged_collisions},
                   {"last_collision", info.last_collision},
                   {"last_time", info.last_time},
+                  {"checksums", word(info.integrity)},
                   {"extended_to", info.is_extended ? Json(info.checkpoint->collisions) : Json()},
                   {"adjudication", adjudication_in(info)}};
   return json.dump();
@@ -75,6 +91,7 @@ std::string to_text(const OutputInfo& info, const std::string& name) {
                       counted(info.spheres, "sphere"));
   text += fmt::format("  logged collisions       {}{}\n", info.logged_collisions,
                       info.log_complete ? " (all)" : "");
+  text += fmt::format("  checksums               {}\n", sentence(info.integrity));
   text += fmt::format("  program                 zenosphere {} ({})\n", info.program_version,
                       info.git_hash);
   text += fmt::format("  compiler                {} {}\n", info.compiler, info.compiler_flags);

@@ -9,6 +9,7 @@
 #include "io/checksum.hpp"
 #include "io/hdf5.hpp"
 #include "io/hdf5_series.hpp"
+#include "io/integrity.hpp"
 
 namespace zenosphere {
 namespace {
@@ -209,7 +210,8 @@ void OutputDatasets::rewind_to(std::int64_t log_rows, std::int64_t snapshots) {
   contents_->trajectory.truncate(snapshots);
   contents_->log.mark(false);
   hdf5::write_attribute(contents_->own, "complete", std::uint8_t{0});
-  for (const char* end : {"summary", "anatomy", "adjudication"}) hdf5::remove(contents_->own, end);
+  for (const char* end : {"summary", "anatomy", "adjudication", "checksums"})
+    hdf5::remove(contents_->own, end);
 }
 
 void OutputDatasets::set_resolved_case(const std::string& text) {
@@ -241,6 +243,7 @@ void OutputDatasets::finish(const Summary& summary, const Anatomy& anatomy) {
   hdf5::write_text(contents_->own, "summary", to_json(summary, dimension));
   hdf5::remove(hdf5::opened(contents_->own, "checkpoint"), "summary");  // the other one holds more
   hdf5::write_attribute(contents_->own, "complete", std::uint8_t{1});
+  write_checksums(contents_->file);
 }
 
 void OutputDatasets::close() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/integrity.hpp"
 #include "io/records.hpp"
 
 namespace zenosphere {
@@ -34,7 +35,8 @@ struct OutputInfo {
   /// The last checkpoint, in the file or in its journal, without its state; absent in files of
   /// programs that made none.
   std::optional<Checkpoint> checkpoint;
-  Basis basis;               ///< what a journal must go on from: the checkpoint in the file
+  Basis basis;  ///< what a journal must go on from: the checkpoint in the file
+  Integrity integrity = Integrity::unread;  ///< set by who compares the checksums
   bool is_extended = false;  ///< complete, and a longer run has a checkpoint in the journal
 };
 

@@ -10,6 +10,7 @@
 #include "collapse/verdict.hpp"
 #include "io/case_file.hpp"
 #include "io/counted.hpp"
+#include "io/integrity.hpp"
 #include "io/rehearsal.hpp"
 #include "io/run_file.hpp"
 #include "io/summary.hpp"
@@ -199,15 +200,7 @@ Verification verification_of(const RunFile& file, Case values) {
   return Verifier<Dim>(file, values, loosest_threshold).go();
 }
 
-}  // namespace
-
-Verification verify_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path, ignored));
-  rehearse(path, std::max<std::int64_t>(bytes, 0), [&] { read_everything(path); });
-  const RunFile file(path);
-  const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
-  require_fitting(path, file.info(), values);
+Verification verification_of(const RunFile& file, const Case& values) {
   switch (file.info().dimension) {
     case 1:
       return verification_of<1>(file, values);
@@ -216,6 +209,21 @@ Verification verify_file(const std::filesystem::path& path) {
     default:
       return verification_of<3>(file, values);
   }
+}
+
+}  // namespace
+
+Verification verify_file(const std::filesystem::path& path) {
+  const Integrity integrity = checked_integrity(path);
+  std::error_code ignored;
+  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path, ignored));
+  rehearse(path, std::max<std::int64_t>(bytes, 0), [&] { read_everything(path); });
+  const RunFile file(path);
+  const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
+  require_fitting(path, file.info(), values);
+  Verification result = verification_of(file, values);
+  result.notes.push_back("checksums " + sentence(integrity));
+  return result;
 }
 
 std::string to_text(const Verification& verification, const std::string& file) {

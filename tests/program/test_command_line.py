@@ -6,6 +6,8 @@ import tomllib
 
 import pytest
 
+from conftest import CHECKOUT
+
 
 def commands_in(help_text):
     """The first word of each line below `Subcommands:`."""
@@ -30,6 +32,21 @@ def test_help_of_run_names_every_option_of_the_interface(program):
     text = program("run", "--help").stdout
     options = ["-o", "--set", "--json", "--quiet", "--overwrite", "--fail-on-collapse"]
     assert all(option in text for option in options)
+
+
+def test_citation_names_version_and_year(program):
+    citation = (CHECKOUT / "CITATION.cff").read_text()
+    version = re.search("^version: (.*)$", citation, re.M)[1]
+    year = re.search("^date-released: (....)", citation, re.M)[1]
+    text = program("--cite").stdout
+    assert f"The Zenosphere authors ({year}). Zenosphere: " in text and f"Version {version}," in text
+    entry = program("--cite", "bibtex").stdout
+    assert entry.startswith("@software{zenosphere,") and entry.endswith("}\n}\n")
+    assert f"version = {{{version}}}," in entry and f"year    = {{{year}}}," in entry
+
+
+def test_citation_in_an_unknown_format_is_one_line(program):
+    assert program.fail("--cite", "ris") == ["--cite ris: is no format (must be bibtex, or nothing)"]
 
 
 def test_version_is_a_line_with_three_numbers(program):

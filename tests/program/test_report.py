@@ -261,6 +261,13 @@ def test_file_of_another_name_is_not_touched_by_a_page(program):
     assert (program.folder / "page.html.part").read_text() == "mine"
 
 
+def test_page_without_a_name_of_its_own_lies_beside_the_run(program):
+    (program.folder / "data").mkdir()
+    program.keep(name="data/out.h5")
+    assert program("report", "data/out.h5").stdout.startswith("data/out.html: report page")
+    assert (program.folder / "data" / "out.html").exists()
+
+
 @pytest.mark.parametrize("target, reason", [
     ("missing/page.html", "there is no folder missing"), (".", "is not a regular file"),
     ("/dev/full", "is not a regular file")])

@@ -151,6 +151,22 @@ TEST(Summary, IsReadBackFromItsJson) {
   EXPECT_THROW(summary_from_json("[1, 2", 2), InputError);
 }
 
+TEST(Summary, TextGivesAveragesThatFewCollisionsSupportInFewDigits) {
+  Summary summary;
+  summary.verdict = "none";
+  summary.averages = planar_averages();
+  summary.averages->granular_temperature = 0.123456789;
+  const auto told_after = [&](std::int64_t collisions) {
+    summary.collisions = collisions;
+    const std::string text = to_text(summary, 2, "");
+    const std::size_t begin = text.find("granular temperature") + 24;
+    return text.substr(begin, text.find(' ', begin) - begin);
+  };
+  EXPECT_EQ(told_after(23), "0.12");        // 1 / sqrt(23) is a fifth
+  EXPECT_EQ(told_after(10'000), "0.1235");  // a per cent
+  EXPECT_EQ(told_after(100'000'000), "0.123457");
+}
+
 Summary::Dissected dissected_chain() {
   Summary::Dissected found;
   found.collision = 70;
@@ -225,7 +241,7 @@ TEST(Summary, TextAlignsItsValuesInOneColumn) {
   const std::string text = to_text(summary, 2);
   for (const char* line :
        {"\n  collisions              90 (45 per sphere)\n", "\n  arrested pairs          0-3 1-3;",
-        "\n    along each axis       0.125         0.075\n",
+        "\n    along each axis       0.12          0.075\n",
         "\n    tensor                1             2\n",
         "\n                          3             4\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
