@@ -16,20 +16,26 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 __extension__ using Wide = unsigned __int128;  // products of two integers of 64 bits
 
-/// The least n >= 0 for which n step modulo `period` is in [from, to], or nothing.
+/// The least n >= 0 for which n step modulo `period` is in [from, to], or nothing; one beyond
+/// `most` may be left out.
 ///
 /// \param step  below the period
 std::optional<std::uint64_t> first_multiple_in(std::uint64_t from, std::uint64_t to,
-                                               std::uint64_t step, std::uint64_t period) {
+                                               std::uint64_t step, std::uint64_t period,
+                                               std::uint64_t most) {
   if (from == 0) return 0;
   if (step == 0) return std::nullopt;
   if (step > period - step) {  // the other way round
-    return first_multiple_in(period - to, period - from, period - step, period);
+    return first_multiple_in(period - to, period - from, period - step, period, most);
   }
   const std::uint64_t steps = (from - 1) / step + 1;
   if (Wide{steps} * step <= to) return steps;
+  if (Wide{most} * step < period) return std::nullopt;  // not within the first turn
   // After how many turns a multiple lands there: a question of the same kind, half as large.
-  const auto turns = first_multiple_in(from % step, to % step, (step - period % step) % step, step);
+  const double in_turns = static_cast<double>(step) / static_cast<double>(period);
+  const auto most_turns = static_cast<std::uint64_t>(static_cast<double>(most) * in_turns) + 2;
+  const auto turns =
+      first_multiple_in(from % step, to % step, (step - period % step) % step, step, most_turns);
   if (!turns) return std::nullopt;
   return static_cast<std::uint64_t>((Wide{from} + Wide{period} * *turns - 1) / step + 1);
 }
@@ -58,7 +64,8 @@ struct Passes {
     // Multiples that carry from `here` to [-wide, wide].
     const std::uint64_t least = (2 * all - here - wide) % all;
     if (least + 2 * wide >= all) return from;  // 0 is among them
-    const auto steps = first_multiple_in(least, least + 2 * wide, one, all);
+    const auto most = static_cast<std::uint64_t>(std::max(end - from, 0.0));
+    const auto steps = first_multiple_in(least, least + 2 * wide, one, all, most);
     const double found = steps ? from + static_cast<double>(*steps) : never;
     return found < end ? found : never;
   }

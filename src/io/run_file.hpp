@@ -35,9 +35,19 @@ class RunFile {
   std::optional<std::string> adjudication() const;
 
  private:
+  /// Snapshots that were read at once: one by one, small ones would take most of the time to find.
+  struct Block {
+    std::int64_t first = 0;
+    std::vector<std::int64_t> steps{};
+    std::vector<double> times{}, positions{}, velocities{}, box_edges{};
+  };
+
+  void read_block(std::int64_t first) const;
+
   std::filesystem::path path_;
   OutputInfo info_;
   hdf5::Handle file_;
+  mutable Block block_;
 };
 
 }  // namespace zenosphere
