@@ -1,8 +1,10 @@
 #include "engine/time_apart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 
 #include "model/instantiate.hpp"
@@ -172,29 +174,23 @@ class Search {
   std::array<Passes, 2> passes_{};
 };
 
-/// The periodic axis along which most boxes are crossed, or -1.
+/// The axes, those along which most boxes are crossed first; along some there may be none.
 template <int Dim>
-int axis_to_count(const StraightFlight<Dim>& flight) {
-  int axis = -1;
-  double most = 0;
-  for (int a = 0; a < Dim; ++a) {
-    const double boxes = std::abs(flight.velocity[a]) / flight.periods[static_cast<std::size_t>(a)];
-    if (boxes > most) {
-      most = boxes;
-      axis = a;
-    }
-  }
-  return axis;
+std::array<int, Dim> axes_by_boxes(const StraightFlight<Dim>& flight) {
+  const auto boxes = [&](int axis) {
+    return std::abs(flight.velocity[axis]) / flight.periods[static_cast<std::size_t>(axis)];
+  };
+  std::array<int, Dim> axes{};
+  std::iota(axes.begin(), axes.end(), 0);
+  std::sort(axes.begin(), axes.end(),
+            [&](int a, int b) { return boxes(a) > boxes(b) || (boxes(a) == boxes(b) && a < b); });
+  return axes;
 }
 
-}  // namespace
-
+/// The time that the planes of one axis tell; 0: nothing.
 template <int Dim>
-double time_apart(const StraightFlight<Dim>& flight, double until, int searches) {
+double time_by_planes(const StraightFlight<Dim>& flight, int axis, double until, int searches) {
   const double speed = std::sqrt(dot(flight.velocity, flight.velocity));
-  if (!(speed > 0)) return never;
-  const int axis = axis_to_count(flight);
-  if (axis < 0) return 0;  // no image but the nearest
   const auto time_within = [&](double longest) {
     return Search<Dim>(flight, axis, longest).first_contact(searches);
   };
@@ -213,6 +209,20 @@ double time_apart(const StraightFlight<Dim>& flight, double until, int searches)
     (ends_before ? longest : certain) = length;
   }
   return time;
+}
+
+}  // namespace
+
+template <int Dim>
+double time_apart(const StraightFlight<Dim>& flight, double until, int searches) {
+  if (!(dot(flight.velocity, flight.velocity) > 0)) return never;
+  for (const int axis : axes_by_boxes(flight)) {
+    const double period = flight.periods[static_cast<std::size_t>(axis)];
+    if (flight.velocity[axis] == 0 || std::isinf(period)) continue;  // no image but the nearest
+    const double time = time_by_planes(flight, axis, until, searches);
+    if (time > 0) return time;
+  }
+  return 0;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim) \

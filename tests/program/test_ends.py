@@ -186,6 +186,25 @@ def test_two_disks_between_fast_rough_walls_collide_with_them_and_each_other(pro
     program("verify", "out.h5")
 
 
+def test_fast_disks_of_a_long_box_pass_its_length_in_few_steps(program):
+    # 1e8 diameters in the time 1, in a box ten wide, which they cross some times meanwhile.
+    text = case("dimension = 2\nspheres = 3\nrestitution = 0.9\nsides = [10, 3.5e8]",
+                "positions = [[7, 2.5e8], [8, 1.1e8], [3, 1.8e8]]\n"
+                "velocities = [[-2, -7.8e7], [-2.8, 6.4e7], [2.3, -4.9e6]]", "[run]\ntime = 1")
+    summary = summary_of(program, text)
+    assert (summary["ended_by"], summary["self_check"]) == ("time", None)
+    program("verify", "out.h5")
+
+
+def test_rods_that_fly_ten_million_diameters_between_collisions_are_not_called_wrong(program):
+    # Places are rounded by 2e-9 at each image; an overlap of 1.2e-7 has been seen here.
+    text = rods([2477057.6, 4763929.9, 4763931, 5423442.8], [-1.1e-10, -1.5e-10, -2e-10, 4.6e-10],
+                '[collision]\noverlap = "immediate"', "[run]\ncollisions = 20", side=14445591)
+    summary = summary_of(program, text)
+    assert (summary["collisions"], summary["self_check"]) == (20, None)
+    program("verify", "out.h5")
+
+
 def test_state_at_a_time_within_a_leap_is_that_of_the_flight(program):
     # 2 + t and 2 + 1e-7 t, modulo 10; and what comes later is what comes without the stop.
     text = case("dimension = 2\nspheres = 2\nrestitution = 1\nsides = [10, 10]",
