@@ -48,6 +48,20 @@ TEST(Replay, AllowsWhatTheFrameOfAllRoundsInASphereThatRests) {
   EXPECT_GT(findings.count(), 0);
 }
 
+// They stick: at the time 1e30 their places are known to 1e14 only, and which image touches is not.
+TEST(Replay, SaysNothingOfAGapToAnImageThatNobodyKnows) {
+  Case sticky = planar_case();
+  sticky.system.restitution = 0;
+  Replay<2> replay(sticky, 2);
+  Findings findings;
+  CollisionRow first = touch;
+  first.gap = 8;  // around the box
+  replay.observe(begin, findings);
+  replay.observe(first, findings);
+  replay.observe({2, 1e30, 0, 1, 0, 1e-30, 0}, findings);
+  EXPECT_EQ(findings.count(), 0);
+}
+
 TEST(Replay, FindsAnotherTimePairSpeedOrRestitution) {
   CollisionRow row = touch;
   row.time += 1e-12;
