@@ -63,6 +63,15 @@ def adjudicated(case, changes):
     return json.loads(done.stdout.splitlines()[-1])
 
 
+def law_of(approach):
+    """What the curvature of the contacts does to the fall."""
+    curvature = approach["curvature"]
+    if curvature is None:
+        return ""
+    end = curvature["gives_way_at_decade"]
+    return ", curvature dies out" if end is None else f", gives way near 1e-{end:.0f}"
+
+
 def row_of(finding):
     """The findings of a run as text: of its first group, and how many there are of each."""
     if finding is None:
@@ -78,7 +87,7 @@ def row_of(finding):
     counts = Counter(one["finding"] for one in finding["approaches"])
     others = ", ".join(f"{count} {name}" for name, count in sorted(counts.items()))
     return (f"{last['finding']}: {len(last['spheres'])} spheres, {last['decades']} decades,"
-            f" hit {first}, {last['precision']}{end}{before} (all: {others})")
+            f" hit {first}, {last['precision']}{end}{law_of(last)}{before} (all: {others})")
 
 
 def cold(**changes):

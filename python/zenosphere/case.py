@@ -18,8 +18,8 @@ class Case:
 
     tables: the case as nested dicts, `{"system": {"spheres": 108, ...}, ...}`; numbers may be
     NumPy's
-    overrides: keys with the values that they get instead, `{"system.restitution": 0.2}`
-    name: what the messages call the case; a relative `start.file` is meant from its folder
+    overrides: keys and the values that replace theirs, `{"system.restitution": 0.2}`
+    name: what the messages call the case; a relative `start.file` is relative to its folder
     Raises InputError, one line for each problem, with the texts of the program. In a case from a
     dict they name the key, `case: system.restitution = 1.2 (must be in [0, 1]; 1 is elastic)`.
 
@@ -68,7 +68,7 @@ class Case:
 
     @property
     def derived(self) -> str:
-        """What follows from the case, for people, as `zenosphere check` prints it."""
+        """What follows from the case, in words, as `zenosphere check` prints it."""
         return self._core.derived
 
     def __eq__(self, other: object) -> bool:

@@ -12,7 +12,7 @@ import numpy as np
 from . import findings
 from .errors import InputError
 
-FORMAT_VERSIONS = (1, 2)  # 2 has the columns of [adjudicate]
+FORMAT_VERSIONS = (1, 2, 3)  # 2 has the columns of [adjudicate], 3 that of the curvature too
 CRITERIA = ("separation", "arrest", "false positive", "open")
 CONDITIONS = {  # SQL: the run met it, within :limit collisions per sphere
     "separation": "COALESCE(separation_first_collision * scale <= :limit, 0)",
@@ -134,9 +134,8 @@ class Ensemble:
                           for key, text in listed)
         self.longest = store.execute("SELECT MAX(collisions_per_sphere) FROM run").fetchone()[0]
         self.rule = self._overlap_rule(store)
-        self.has_findings = self._adjudicates(store) and bool(store.execute(
-            "SELECT COUNT(*) FROM pragma_table_info('run') WHERE name = ?",
-            (findings.COLUMN,)).fetchone()[0])
+        self.has_findings = self._adjudicates(store) and _has_column(store, findings.COLUMN)
+        self.has_margins = _has_column(store, findings.MARGIN)
 
     def _adjudicates(self, store):
         """False where the sweep file has no [adjudicate]: the store has the columns, all NULL."""
@@ -153,7 +152,8 @@ class Ensemble:
 
     def _conditions(self):
         """Name -> SQL of what is counted among the runs that are done."""
-        return CONDITIONS | (findings.COUNTED if self.has_findings else {})
+        counted = findings.COUNTED | (findings.CURVATURE if self.has_margins else {})
+        return CONDITIONS | (counted if self.has_findings else {})
 
     def _grouped(self, conditions, limit):
         keys = ", ".join(quoted(axis.key) for axis in self.axes)
@@ -164,6 +164,11 @@ class Ensemble:
                 f"SELECT {keys}, COUNT(*), SUM(result = 'done'), SUM(result = 'failed'), {sums}"
                 f" FROM {SCALED} GROUP BY {keys}",
                 {"limit": limit * (1 + 1e-12)})  # what is compared has been rounded
+
+
+def _has_column(store, name):
+    return bool(store.execute("SELECT COUNT(*) FROM pragma_table_info('run') WHERE name = ?",
+                              (name,)).fetchone()[0])
 
 
 def quoted(key):

@@ -12,7 +12,7 @@ class InputError(ValueError):
 
 
 class OutputError(OSError):
-    """The world is in the way: a disk, a file. Exit code 4."""
+    """The output cannot be written: a disk, a file. Exit code 4."""
 
 
 _KEY = r"([\w.-]+)"

@@ -9,6 +9,7 @@ WORDS = ("proven", "singular", "arithmetic arrest", "near-collapse", "exact cont
          "chance close pair", "undecided")
 HIT = "separation_first_collision IS NOT NULL"
 REAL = f"COALESCE({COLUMN} IN ('proven', 'singular'), 0)"
+MARGIN = "adjudication_margin_per_decade"
 ARREST = "COALESCE(arrest_met, 0)"
 OPEN = "COALESCE(verdict = 'open', 0)"
 
@@ -25,6 +26,9 @@ KINDS = {
     "not adjudicated": f"{HIT} AND {COLUMN} IS NULL",
 }
 COUNTED = KINDS | {"hit": HIT} | {f"is {word}": f"{COLUMN} = '{word}'" for word in WORDS}
+# Whether the fall of a real one can go on by its law (docs/adjudication.md).
+CURVATURE = {"real, curvature dies out": f"{REAL} = 1 AND {MARGIN} >= 0",
+             "real, curvature grows": f"{REAL} = 1 AND {MARGIN} < 0"}
 
 
 def finding_rows(ensemble, counts):
@@ -40,7 +44,7 @@ def finding_rows(ensemble, counts):
         row |= {"done": int(counts.done[place]), "hit": found["hit"],
                 "adjudicated": found["hit"] - found["not adjudicated"]}
         row |= {_key(word): found[f"is {word}"] for word in WORDS}
-        row |= {_key(name): found[name] for name in KINDS if name.startswith("real")}
+        row |= {_key(name): count for name, count in found.items() if name.startswith("real")}
         real = found["is proven"] + found["is singular"]
         yield row | _share("adjudicated", real, row["adjudicated"]) | _share(
             "decided", real, row["adjudicated"] - found["undecided"])

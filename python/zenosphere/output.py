@@ -19,9 +19,9 @@ from .run import State
 class Output:
     """The output file of a run: finished, interrupted, or still going on.
 
-    The journal beside the file is read too: of a run that goes on there is what it had recorded at
-    its last checkpoint when it was opened; `zenosphere.open` again shows what has come since.
-    Collisions and snapshots are read when they are asked for. Nothing is written or locked, and the
+    The journal beside the file is read too: of a run that is still going on you see what it had
+    recorded at its last checkpoint when the file was opened; open it again to see more.
+    Collisions and snapshots are read when they are accessed. Nothing is written or locked, and the
     file is open only while it is read; so there is nothing to close, though `with` works.
 
     path: the file that `zenosphere run -o` or `Run(..., output=...)` wrote
@@ -34,10 +34,10 @@ class Output:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """What the run came to, as `--json` prints it (docs/summary.md).
+        """The summary of the run, as `--json` prints it (docs/summary.md).
 
-        `outcome` is "unfinished" where the run goes on or was cut off; empty where such a file has
-        no checkpoint yet.
+        `outcome` is "unfinished" where the run is going on or was cut off. The summary is empty
+        where such a file has no checkpoint yet.
         """
         summary: dict[str, Any] = json.loads(self._core.info)
         del summary["file"]
@@ -45,7 +45,7 @@ class Output:
 
     @cached_property
     def file(self) -> dict[str, Any]:
-        """What the file says of itself: complete, program_version, snapshots, last_time, ..."""
+        """What the file says about itself: complete, program_version, snapshots, last_time, ..."""
         file: dict[str, Any] = json.loads(self._core.info)["file"]
         return file
 
@@ -61,14 +61,14 @@ class Output:
 
     @cached_property
     def case(self) -> Case:
-        """The case of the run: `Run(output.case)` does it again."""
+        """The case of the run: `Run(output.case)` repeats it."""
         return Case._of(_core.Case.restored(self._core.resolved, self._core.text))
 
     @cached_property
     def collisions(self) -> NDArray[np.void]:
         """The collision log, a structured array (K,) of `COLLISION_DTYPE`.
 
-        What the case did not keep is not there: see `has_every_collision`.
+        It lacks what the case did not keep: see `has_every_collision`.
         """
         return self._core.collisions()
 
@@ -94,10 +94,10 @@ class Output:
 
 
 class Snapshots(Sequence[State]):
-    """The snapshots of an output in the order of their times; each is read when it is taken.
+    """The snapshots of an output in the order of their times; each is read when it is accessed.
 
-    `snapshots[0]` is the start, `snapshots[-1]` the last one; `snapshots[::10]` is a list. To read
-    one takes some milliseconds more than its numbers do.
+    `snapshots[0]` is the start, `snapshots[-1]` the last one; `snapshots[::10]` is a list. Reading
+    one takes a few milliseconds more than its numbers do.
     """
 
     def __init__(self, output: Output) -> None:
@@ -134,6 +134,6 @@ class Snapshots(Sequence[State]):
 def open(path: str | os.PathLike[str]) -> Output:  # noqa: A001
     """Opens the output file of a run: its summary, case, collisions and snapshots.
 
-    with zenosphere.open("run.h5") as output: print(output.verdict, len(output.collisions))
+    `with zenosphere.open("run.h5") as output: print(output.verdict, len(output.collisions))`
     """
     return Output(path)

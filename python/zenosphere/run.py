@@ -65,18 +65,18 @@ class State:
 
 
 class Run:
-    """A run that goes on as far as it is told.
+    """A run that advances in chunks.
 
     In chunks it gives the same bits as the program in one go, in its summary and its output file.
-    While it goes on, other Python threads run, and Ctrl-C works: the KeyboardInterrupt comes out of
-    the call and the run is as good as before. One thread at a time may use a run; `stop` may be
-    called by any.
+    While it advances, other Python threads run, and Ctrl-C works: the KeyboardInterrupt comes out
+    of the call and the run stays valid. One thread at a time may use a run; `stop` may be called
+    from any.
 
     As a context manager it is finished at the end of the block, whatever happened there, so that
     its output can be read and resumed.
 
     case: a Case, nested dicts as for `Case(...)`, or the path of a TOML file
-    overrides: keys with the values that they get instead, `{"system.restitution": 0.2}`; not for
+    overrides: keys and the values that replace theirs, `{"system.restitution": 0.2}`; not for
     a Case
     output: where to keep snapshots and collisions (HDF5, as `zenosphere run -o`); None keeps
     nothing
@@ -93,7 +93,7 @@ class Run:
 
     @classmethod
     def resume(cls, output: str | os.PathLike[str], *, overrides: Overrides | None = None) -> "Run":
-        """Goes on with a run from the last checkpoint of its output file.
+        """Continues a run from the last checkpoint of its output file.
 
         overrides: a run that has ended needs a larger limit, for instance
         `{"run.collisions": 3_000_000}`
@@ -105,10 +105,10 @@ class Run:
 
     def advance(self, collisions: int | None = None, *,
                 until: float | None = None) -> NDArray[np.void]:
-        """Goes on, and returns the collisions as a structured array (K,) of `COLLISION_DTYPE`.
+        """Advances, and returns the collisions as a structured array (K,) of `COLLISION_DTYPE`.
 
         Ends after `collisions` more of them, at the time `until` since the start, or with the run,
-        whichever comes first; without both, with the run. The array owns its rows, none was copied.
+        whichever comes first; without both, with the run. The array owns its rows; none was copied.
 
         A row holds the gap of the pair that collides *next*, which is known one collision later. So
         the last row waits and comes first in the next chunk; at the end of the run it comes at
@@ -117,11 +117,11 @@ class Run:
         return self._core.advance(_count(collisions), until)
 
     def skip(self, collisions: int | None = None, *, until: float | None = None) -> None:
-        """As `advance`, without keeping the collisions: for long stretches nobody looks at."""
+        """As `advance`, without keeping the collisions."""
         self._core.skip(_count(collisions), until)
 
     def chunks(self, collisions: int = 10_000) -> Iterator[NDArray[np.void]]:
-        """Goes on to the end of the run, and yields its collisions in chunks, as `advance` does."""
+        """Advances to the end of the run, and yields the collisions in chunks, as `advance` does."""
         if collisions < 1:
             raise InputError(f"chunks: collisions = {collisions} (must be > 0)")
         while not self.is_over:
@@ -132,7 +132,7 @@ class Run:
         return State(*self._core.state())
 
     def summary(self) -> dict[str, Any]:
-        """What the run came to so far, as `--json` prints it (docs/summary.md).
+        """The summary of the run so far, as `--json` prints it (docs/summary.md).
 
         `outcome` is "unfinished" until the run is over.
         """
@@ -164,12 +164,12 @@ class Run:
 
     @property
     def collisions(self) -> int:
-        """Collisions done; any thread may ask, while another one advances as of 0.1 s ago."""
+        """Collisions done; any thread may read it, as of 0.1 s ago while another one advances."""
         return self._core.collisions
 
     @property
     def time(self) -> float:
-        """Time since the start, in the case's unit; any thread may ask likewise."""
+        """Time since the start, in the case's unit; any thread may read it likewise."""
         return self._core.time
 
     @property
@@ -178,11 +178,11 @@ class Run:
         return self._core.is_over
 
     def stop(self) -> None:
-        """Ends the run at its next collision; may be called by any thread while it goes on."""
+        """Ends the run at its next collision; any thread may call it while the run advances."""
         self._core.stop()
 
     def save(self) -> None:
-        """Makes a checkpoint now: `resume` goes on from here, whatever happens to this process.
+        """Makes a checkpoint now: `resume` continues from here, whatever happens to this process.
 
         Raises InputError where the run has no output, OutputError where it cannot be written.
         """
@@ -191,8 +191,8 @@ class Run:
     def finish(self) -> dict[str, Any]:
         """Ends the run, writes the rest of its output, and returns its summary.
 
-        A run that is not over gets the outcome "interrupted"; `resume` goes on with it. Called
-        again it only returns the summary.
+        A run that is not over gets the outcome "interrupted"; `resume` continues it. Called
+        again, it only returns the summary.
         """
         summary: dict[str, Any] = json.loads(self._core.finish())
         return summary

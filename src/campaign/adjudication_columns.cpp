@@ -70,6 +70,13 @@ Cell groups_with(const TimedAdjudication& timed) {
   })};
 }
 
+Cell first_margin_per_decade(const TimedAdjudication& timed) {
+  return of_first(timed, [](Group group) {
+    const auto& curvature = strongest(group).curvature;
+    return curvature ? Cell(curvature->per_decade) : Cell();
+  });
+}
+
 Cell collapse_time(const TimedAdjudication& timed) {
   const auto& all = timed.found.approaches;
   const auto first = std::find_if(all.begin(), all.end(), [](const JudgedApproach& one) {
@@ -79,7 +86,7 @@ Cell collapse_time(const TimedAdjudication& timed) {
   return std::stod(*first->collapse_time);
 }
 
-constexpr std::array<AdjudicationColumn, 16> columns{{
+constexpr std::array<AdjudicationColumn, 17> columns{{
     {"adjudication_finding", "TEXT", finding},
     {"adjudication_first_finding", "TEXT", first_finding},
     {"adjudication_sentence", "TEXT", first_sentence},
@@ -96,6 +103,7 @@ constexpr std::array<AdjudicationColumn, 16> columns{{
     {"adjudication_first_spheres", "INTEGER", first_spheres},
     {"adjudication_collapse_time", "REAL", collapse_time},
     {"adjudication_decades", "INTEGER", first_decades},
+    {"adjudication_margin_per_decade", "REAL", first_margin_per_decade},
     {"adjudication_seconds", "REAL",
      [](const TimedAdjudication& timed) -> Cell { return timed.seconds; }},
 }};

@@ -12,6 +12,8 @@ namespace zenosphere {
 
 namespace {
 
+constexpr std::int64_t first_with_adjudication = 2;  ///< store format
+
 constexpr std::array<std::string_view, 4> request_columns{
     "adjudicate_groups INTEGER", "adjudicate_seconds REAL", "adjudicate_up_to TEXT",
     "adjudicate_collisions INTEGER"};
@@ -43,7 +45,7 @@ void write_request(Database& database, const std::optional<AdjudicationRequest>&
 }
 
 void read_request(Database& database, StoredSweep& sweep) {
-  if (sweep.format_version < store_format_version) return;
+  if (sweep.format_version < first_with_adjudication) return;
   Statement query = database.statement(
       "SELECT adjudicate_groups, adjudicate_seconds, adjudicate_up_to, adjudicate_collisions, "
       "EXISTS (SELECT 1 FROM run WHERE adjudication_finding IS NOT NULL) FROM sweep");
@@ -80,8 +82,12 @@ std::map<std::string, std::string> settings(const std::optional<AdjudicationRequ
 
 void upgrade(Database& database, const StoredSweep& stored) {
   if (stored.format_version >= store_format_version) return;
-  add_request_columns(database);
+  if (stored.format_version < first_with_adjudication) add_request_columns(database);
   for (const AdjudicationColumn& column : adjudication_columns()) {
+    const bool is_there =
+        database.integer(fmt::format(
+            "SELECT COUNT(*) FROM pragma_table_info('run') WHERE name = '{}'", column.name)) > 0;
+    if (is_there) continue;
     database.execute(fmt::format("ALTER TABLE run ADD COLUMN {} {}", column.name, column.type));
   }
   database.execute(fmt::format("UPDATE sweep SET format_version = {}", store_format_version));
@@ -91,7 +97,7 @@ void upgrade(Database& database, const StoredSweep& stored) {
 std::string waits_for_adjudication(const StoredSweep& sweep) {
   if (!sweep.adjudicate) return "0";
   const std::string hits = "status = 'done' AND separation_hits > 0 AND error IS NULL";
-  if (sweep.format_version < store_format_version) return '(' + hits + ')';
+  if (sweep.format_version < first_with_adjudication) return '(' + hits + ')';
   return '(' + hits + " AND adjudication_finding IS NULL)";
 }
 

@@ -23,7 +23,8 @@ struct Rise {
   bool is_over = false;
 };
 
-/// Parts a series into its rises: each ends where it has come down from its peak by `prominence`.
+/// Parts a series into its rises: each ends where it has come down from its peak by `prominence`, or
+/// by a fifth of its height if that is more.
 std::vector<Rise> rises_of(const std::vector<double>& depths, double prominence) {
   std::vector<Rise> rises;
   Rise rise;
@@ -31,7 +32,8 @@ std::vector<Rise> rises_of(const std::vector<double>& depths, double prominence)
   for (std::size_t k = 0; k < depths.size(); ++k) {
     if (is_rising) {
       if (depths[k] > depths[rise.peak]) rise.peak = k;
-      if (depths[k] > depths[rise.peak] - prominence) continue;
+      const double height = depths[rise.peak];
+      if (depths[k] > height - std::max(prominence, height / 5)) continue;
       rise.end = k;
       rise.is_over = true;
       rises.push_back(rise);

@@ -66,8 +66,9 @@ std::vector<double> smoothed_depths(std::span<const DepthRow> cluster_rows, std:
 /// The approaches in the collisions of one cluster, in order.
 ///
 /// One ends where the median depth has come down from its peak by a quarter of the type's decades
-/// (at least 4, at most 10): a row is compressed, gives way, and is compressed again, and these
-/// are steps of one approach. Those whose gaps stay above `least_depth` are none.
+/// (at least 4, at most 10), or by a fifth of the peak's if that is more. Smaller steps belong to
+/// it: a row is compressed, gives way, and is compressed again. Approaches whose gaps stay above
+/// `least_depth` are none.
 ///
 /// \param limit  decades of the type's resolution: 16 for `double`
 std::vector<ClusterApproach> approaches_of(std::span<const DepthRow> cluster_rows, double limit,

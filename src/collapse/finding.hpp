@@ -5,6 +5,7 @@
 
 #include "collapse/approach.hpp"
 #include "collapse/contact_word.hpp"
+#include "collapse/curvature.hpp"
 
 namespace zenosphere {
 
@@ -42,9 +43,10 @@ std::optional<RoundRatio> round_ratio(const std::vector<double>& durations);
 struct ApproachEvidence {
   ClusterApproach approach{};
   ContactWord word{};
-  std::optional<RoundRatio> ratio{};  ///< of a periodic word
-  double clock_ratio = 0;             ///< time of the last quarter of its fall over the one before
-  bool is_dissipative = false;        ///< some contact of the cluster has lost energy
+  std::optional<RoundRatio> ratio{};     ///< of a periodic word
+  std::optional<Curvature> curvature{};  ///< of the contacts in its steady fall
+  double clock_ratio = 0;       ///< time of the last quarter of its fall over the one before
+  bool is_dissipative = false;  ///< some contact of the cluster has lost energy
 };
 
 /// Whether the time that is left shrinks with the gaps.

@@ -38,6 +38,12 @@ Json json_of(const SteadyFall& steady) {
           {"unevenness", steady.unevenness}};
 }
 
+Json json_of(const Curvature& curvature) {
+  return {{"margin", curvature.margin},
+          {"margin_per_decade", curvature.per_decade},
+          {"gives_way_at_decade", or_null(gives_way_at(curvature))}};
+}
+
 Json json_of(const RoundRatio& ratio) {
   return {{"ratio", ratio.ratio},
           {"change_in_second_quarter", ratio.change_before},
@@ -83,6 +89,7 @@ Json json_of(const JudgedApproach& approach) {
           {"word_is_periodic", approach.word.is_periodic},
           {"round_ratio", json_or_null(approach.ratio)},
           {"steady_fall", json_or_null(approach.steady)},
+          {"curvature", json_or_null(approach.curvature)},
           {"reopened_to_decade", or_null(approach.reopened_to)},
           {"enclosed_to", or_null(approach.enclosed_to)},
           {"milestones", milestones_of(approach)},

@@ -59,6 +59,7 @@ struct JudgedApproach {
   ContactWord word{};
   std::optional<RoundRatio> ratio{};
   std::optional<SteadyFall> steady{};
+  std::optional<Curvature> curvature{};
   std::optional<double> reopened_to{};  ///< decades of the median gap
   std::optional<int> enclosed_to{};     ///< decades to which the order of contacts is certain
   std::vector<Milestone> milestones{};

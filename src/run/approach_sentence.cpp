@@ -23,6 +23,20 @@ std::string law_of(const JudgedApproach& judged) {
   return law;
 }
 
+/// Whether a fall by the same law can go on for ever.
+std::string end_of_law(const JudgedApproach& judged) {
+  if (!judged.curvature) return "";
+  const auto decade = gives_way_at(*judged.curvature);
+  if (!decade) return "; the curvature of the contacts dies out";
+  const std::string end = fmt::format(
+      "; but the curvature of the contacts grows, and by the same law opens the gaps again near "
+      "1e-{:.0f}",
+      *decade);
+  int digits = 200;
+  while (digits < *decade + digits_to_spare && digits < most_digits) digits *= 2;
+  return digits < most_digits ? fmt::format("{}: --up-to digits{} would show", end, digits) : end;
+}
+
 /// What leaves an approach undecided.
 std::string doubt_of(const JudgedApproach& judged, const ApproachEvidence& evidence,
                      const std::string& who) {
@@ -61,28 +75,30 @@ std::string doubt_of(const JudgedApproach& judged, const ApproachEvidence& evide
 
 }  // namespace
 
-std::string names_of(const std::vector<std::int32_t>& spheres) {
+std::string count_and_names(const std::vector<std::int32_t>& spheres, std::string_view one) {
   constexpr std::size_t most = 6;
   std::string names;
   for (std::size_t k = 0; k < std::min(spheres.size(), most); ++k) {
     names += fmt::format("{}{}", k == 0 ? "" : "-", spheres[k]);
   }
-  return spheres.size() > most ? names + "-..." : names;
+  return fmt::format("{} {}{} ({}{})", spheres.size(), one, spheres.size() == 1 ? "" : "s", names,
+                     spheres.size() > most ? "-..." : "");
 }
 
 std::string sentence_of(const JudgedApproach& judged, const ApproachEvidence& evidence) {
-  const std::string who =
-      fmt::format("{} spheres ({})", judged.spheres.size(), names_of(judged.spheres));
+  const std::string who = count_and_names(judged.spheres);
   const std::string precision = word(judged.precision);
   switch (judged.finding) {
     case Finding::singular:
       return fmt::format(
           "the gaps of {} fall to 1e-{}, all that {} has, {}, with energy lost; if they go on so, "
-          "infinitely many collisions end at {}{}",
+          "infinitely many collisions {}{}{}",
           who, judged.decades, precision, law_of(judged),
           judged.collapse_time
-              ? fmt::format("{} +- {:.1g}", *judged.collapse_time, judged.uncertainty.value_or(0))
-              : std::string("a time that was not extrapolated"),
+              ? fmt::format("end at {} +- {:.1g}", *judged.collapse_time,
+                            judged.uncertainty.value_or(0))
+              : std::string("take a finite time, whose end could not be extrapolated"),
+          end_of_law(judged),
           judged.reopened_to
               ? "; behind the last digit they grow again, by the overlap rule or, as "
                 "more digits might show, by themselves"

@@ -150,10 +150,9 @@ void tell_enclosure(const Certificate& certificate, std::int64_t collision,
                                        collision, word(approach.precision));
   if (certificate.kind == Certificate::Kind::escapes) {
     const std::string sentence = fmt::format(
-        "the gaps of {} spheres ({}) fall together to 1e-{} and grow again: ball arithmetic makes "
+        "the gaps of {} fall together to 1e-{} and grow again: ball arithmetic makes "
         "certain that they part after {} contacts {}",
-        approach.spheres.size(), names_of(approach.spheres), certificate.decades,
-        certificate.collisions, from);
+        count_and_names(approach.spheres), certificate.decades, certificate.collisions, from);
     refute(approach, sentence);
     return;
   }

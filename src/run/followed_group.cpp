@@ -95,8 +95,30 @@ class GroupExamination {
     if (evidence.word.is_periodic) {
       evidence.ratio = round_ratio(durations(approach, evidence.word.letters.size()));
     }
-    if (approach.steady) evidence.clock_ratio = clock_ratio(approach);
+    if (approach.steady) {
+      evidence.clock_ratio = clock_ratio(approach);
+      evidence.curvature = curvature(approach);
+    }
     return evidence;
+  }
+
+  /// The first row at which the median gap has fallen so far.
+  std::size_t row_at(const ClusterApproach& approach, double depth) const {
+    std::size_t row = approach.first;
+    while (row < approach.last && depths_[row] < depth) ++row;
+    return row;
+  }
+
+  /// Of the contacts in the steady fall that still have digits to measure it by.
+  std::optional<Curvature> curvature(const ClusterApproach& approach) const {
+    const double end = std::min(depths_[approach.last], limit_ - digits_to_spare);
+    const std::size_t last = row_at(approach, end);
+    std::vector<double> depths, margins;
+    for (std::size_t k = row_at(approach, end - approach.steady->decades); k < last; ++k) {
+      depths.push_back(depths_[k]);
+      margins.push_back(all_.margins[places_[k]]);
+    }
+    return curvature_of(depths, margins);
   }
 
   /// Time in which the median gap fell by the last quarter of its steady fall, over that of the
@@ -104,13 +126,8 @@ class GroupExamination {
   double clock_ratio(const ClusterApproach& approach) const {
     const double end = depths_[approach.last];
     const double quarter = approach.steady->decades / 4;
-    const auto row_at = [&](double depth) {
-      std::size_t row = approach.first;
-      while (row < approach.last && depths_[row] < depth) ++row;
-      return row;
-    };
-    const Real& middle = time(row_at(end - quarter));
-    const Real third(middle - time(row_at(end - 2 * quarter)));
+    const Real& middle = time(row_at(approach, end - quarter));
+    const Real third(middle - time(row_at(approach, end - 2 * quarter)));
     const Real fourth(time(approach.last) - middle);
     return third > 0 ? static_cast<double>(Real(fourth / third)) : 1;
   }

@@ -83,8 +83,8 @@ void weigh_rounding(JudgedApproach& judged, const SeenApproach& seen,
   const SeenApproach* const spent = spent_before(seen, top);
   if (judged.finding == Finding::exact_contact && (is_rounded || spent)) {
     judged.finding = Finding::undecided;
-    judged.sentence = fmt::format("gaps of {} spheres ({}) are zero in {}", judged.spheres.size(),
-                                  names_of(judged.spheres), word(judged.precision));
+    judged.sentence = fmt::format("gaps of {} are zero in {}", count_and_names(judged.spheres),
+                                  word(judged.precision));
   }
   if (spent) {
     judged.sentence += fmt::format(
@@ -112,6 +112,7 @@ JudgedApproach judged(const SeenApproach& seen, const std::vector<FollowedGroup>
                         .word = seen.evidence.word,
                         .ratio = seen.evidence.ratio,
                         .steady = approach.steady,
+                        .curvature = seen.evidence.curvature,
                         .reopened_to = approach.reopened_to,
                         .milestones = seen.milestones,
                         .followed_from = top.begin.collisions,
@@ -125,6 +126,7 @@ JudgedApproach judged(const SeenApproach& seen, const std::vector<FollowedGroup>
   }
   judged.sentence = sentence_of(judged, seen.evidence);
   weigh_rounding(judged, seen, ladder);
+  if (judged.finding == Finding::exact_contact) judged.decades = 0;  // none was fallen through
   return judged;
 }
 
@@ -155,6 +157,7 @@ void judge_pair(JudgedApproach& judged, const DepthRow& deepest,
     return;
   }
   judged.finding = Finding::exact_contact;
+  judged.decades = 0;
   judged.sentence = fmt::format(
       "the gap of {} and {} is zero in {} too, and nothing decays: contact by symmetry or by the "
       "start",

@@ -26,6 +26,7 @@ struct KeptCollisions {
   std::vector<DepthRow> rows{};
   std::vector<Real> times{};        ///< since the start
   std::vector<bool> dissipative{};  ///< energy was lost
+  std::vector<double> margins{};    ///< of the curvature (see Curvature), decades
   Real end = 0;                     ///< where the clock stands now, since the start
 
   std::int64_t number(std::size_t row) const {

@@ -107,11 +107,10 @@ void refute(const std::string& end, Adjudication& adjudication) {
       continue;
     }
     if (one.finding != Finding::singular && one.finding != Finding::undecided) continue;
-    refute(one, fmt::format("the gaps of {} rods ({}) fall together to 1e-{} as far as {} tells, "
-                            "and grow again: in "
-                            "exact fractions {}",
-                            one.spheres.size(), names_of(one.spheres), one.decades,
-                            word(one.precision), end));
+    refute(one,
+           fmt::format("the gaps of {} fall together to 1e-{} as far as {} tells, and grow "
+                       "again: in exact fractions {}",
+                       count_and_names(one.spheres, "rod"), one.decades, word(one.precision), end));
   }
 }
 

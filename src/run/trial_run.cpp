@@ -119,6 +119,22 @@ void TrialRun<Dim, Real>::keep(const DepthRow& row, const Collision<Dim, Real>& 
   const Real& speed = collision.impact.normal_speed;
   const Real elastic = simulation_.wall(collision.j) ? Real(2 * speed) : speed;
   kept_->dissipative.push_back(speed > 0 && collision.impact.impulse < elastic);
+  kept_->margins.push_back(margin_of_curvature(collision));
+}
+
+/// See Curvature; infinite at a wall, which is flat.
+template <int Dim, class Real>
+double TrialRun<Dim, Real>::margin_of_curvature(const Collision<Dim, Real>& collision) const {
+  const double none = std::numeric_limits<double>::infinity();
+  const Vec<Dim, Real>& normal = collision.impact.normal;
+  const Real& speed = collision.impact.normal_speed;
+  if (Dim == 1 || simulation_.wall(collision.j) || !(speed > 0)) return none;
+  auto sliding =
+      simulation_.peculiar_velocity(collision.j) - simulation_.peculiar_velocity(collision.i);
+  if constexpr (Dim > 1) sliding[0] += simulation_.box().shear_rate() * normal[1];
+  sliding -= normal * dot(sliding, normal);
+  const Real share = dot(sliding, sliding) * collision.gap_before / (speed * speed);
+  return decades_of(share, none);
 }
 
 template <int Dim, class Real>

@@ -117,16 +117,12 @@ def test_toml_of_a_document_is_right(program, document, number):
         program.run({**settings_in(text), "run.collisions": 2000})
 
 
-def linked_files(document):
-    """The files that a document links to, but none on the web."""
-    for target in re.findall(r"\]\(([^)#\s]+)", document.read_text()):
-        if "://" not in target:
-            yield document.parent / target
-
-
-@pytest.mark.parametrize("document", DOCUMENTS, ids=name_of)
-def test_links_of_a_document_lead_somewhere(document):
-    assert [str(path) for path in linked_files(document) if not path.exists()] == []
+def test_every_command_is_on_the_page_of_the_command_line(program):
+    page = (CHECKOUT / "docs" / "commands.md").read_text()
+    commands = re.findall(r"^  ([\w-]+)  ", program("--help").stdout.split("Subcommands:")[1],
+                          re.MULTILINE)
+    assert len(commands) > 15
+    assert set(re.findall(r"^\| `([\w-]+)` \|", page, re.MULTILINE)) == set(commands)
 
 
 def test_every_key_that_check_prints_is_on_the_page_of_the_case_file(program):

@@ -10,7 +10,8 @@ COLUMNS = """run INTEGER PRIMARY KEY, point INTEGER, replica INTEGER, seed INTEG
  separation_first_collision INTEGER, separation_first_time REAL,
  separation_last_collision INTEGER, arrest_met INTEGER, arrest_collision INTEGER,
  arrest_time REAL, wall_seconds REAL, program_version TEXT"""
-FINDING = "adjudication_finding TEXT, adjudication_first_finding TEXT"
+FINDING = """adjudication_finding TEXT, adjudication_first_finding TEXT,
+ adjudication_margin_per_decade REAL"""
 
 
 def write_store(path, axes, outcome, seeds=10, spheres=100, adjudicated=False):
@@ -19,7 +20,7 @@ def write_store(path, axes, outcome, seeds=10, spheres=100, adjudicated=False):
     axes: {key: values};  outcome: (values of the point as dict, replica) -> (first hit, arrest) in
     collisions per sphere, each None where it did not happen; or "pending"; or "failed"
     adjudicated: an outcome has a third value, the finding of the first group of hits, None where
-    it is not known; a fourth, if any, is the verdict
+    it is not known; a fourth, if any, is the verdict, and a fifth the change of the margin
     """
     with sqlite3.connect(path) as store:
         store.execute("CREATE TABLE sweep (format_version INTEGER, sweep_file TEXT,"
@@ -59,8 +60,9 @@ def _came_to(outcome, spheres, length=500):
     row = {"status": "done", "collisions": collisions,
            "collisions_per_sphere": 2 * collisions / spheres, "separation_hits": int(hit or 0),
            "separation_first_collision": hit, "arrest_met": int(arrest is not None),
-           "arrest_collision": arrest, "verdict": (*outcome[3:], verdict)[0]}
-    return row | ({"adjudication_first_finding": outcome[2]} if len(outcome) > 2 else {})
+           "arrest_collision": arrest, "verdict": (*outcome[3:4], verdict)[0]}
+    return row | dict(zip(("adjudication_first_finding", "adjudication_margin_per_decade"),
+                          (*outcome[2:3], *outcome[4:5])))
 
 
 def write_search(path, findings, axis="system.restitution", other="system.solids_volume_fraction"):

@@ -17,8 +17,8 @@ from zenosphere.pictures import Pictures
 
 AXES = {"system.restitution": (0.1, 0.3), "system.solids_volume_fraction": (0.2, 0.4)}
 OUTCOMES = (  # first hit, arrest, finding, verdict: one run each
-    (5, 50, "proven", "true"), (5, 50, "singular", "true"), (5, None, "singular", "temporary"),
-    (5, None, "singular", "open"), (5, None, "near-collapse", "temporary"),
+    (5, 50, "proven", "true"), (5, 50, "singular", "true", 0.4),
+    (5, None, "singular", "temporary", 0.5), (5, None, "singular", "open", -0.03), (5, None, "near-collapse", "temporary"),
     (5, 50, "arithmetic arrest", "true"), (5, None, "exact contact", "temporary"),
     (5, None, "chance close pair", "temporary"), (5, None, "undecided", "temporary"),
     (5, None, None, "temporary"), (None, None, None, "none"))
@@ -56,7 +56,8 @@ def test_table_has_the_share_that_is_real_with_its_interval(store):
     ensemble = Ensemble(store)
     rows = list(finding_rows(ensemble, ensemble.counts()))
     expected = {"done": 11, "hit": 10, "adjudicated": 9, "proven": 1, "singular": 3,
-                "chance_close_pair": 1, "undecided": 1, "real_went_on": 1}
+                "chance_close_pair": 1, "undecided": 1, "real_went_on": 1,
+                "real_curvature_dies_out": 2, "real_curvature_grows": 1}
     assert rows[0] | expected == rows[0]
     assert rows[0]["real_of_adjudicated"] == pytest.approx(4 / 9)
     half = 1.959964 / (2 * np.sqrt(8 + 1.959964**2))  # Wilson for 4 of the 8 that are decided
@@ -73,6 +74,14 @@ def test_map_shows_every_kind_that_occurs_within_1400_pixels(store, tmp_path):
             image[:, :, :3].reshape(-1, 3)[::7]}
     for colour, _ in list(FINDINGS.values())[:-1]:
         assert tuple(int(colour[place:place + 2], 16) for place in (1, 3, 5)) in seen
+
+
+def test_table_of_a_store_without_margins_says_nothing_of_the_curvature(store):
+    with sqlite3.connect(store) as database:
+        database.execute("ALTER TABLE run DROP COLUMN adjudication_margin_per_decade")
+    ensemble = Ensemble(store)
+    rows = list(finding_rows(ensemble, ensemble.counts()))
+    assert rows[0]["singular"] == 3 and "real_curvature_grows" not in rows[0]
 
 
 def test_store_of_a_sweep_that_did_not_adjudicate_has_no_findings(tmp_path):

@@ -13,7 +13,7 @@ from module import CHECKOUT, PROGRAM, needed
 import zenosphere
 
 PACKAGE = CHECKOUT / "python" / "zenosphere"
-DOCUMENTS = [CHECKOUT / "README.md", CHECKOUT / "docs" / "python.md"]  # what needs no files
+PAGE = CHECKOUT / "docs" / "python.md"
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 EXAMPLES = sorted((CHECKOUT / "examples" / "python").glob("*.py"))
 ENVIRONMENT = {**{key: value for key, value in os.environ.items() if key != "DISPLAY"},
@@ -114,11 +114,10 @@ def test_example_runs(tmp_path, example):
 
 
 @needed
-@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
-def test_python_in_a_document_runs_from_its_first_line_to_its_last(tmp_path, document):
-    """All blocks of a document together, in a folder from which examples/ can be seen."""
+def test_python_of_the_page_runs_from_its_first_line_to_its_last(tmp_path):
+    """All blocks together, in a folder from which examples/ can be seen."""
     (tmp_path / "examples").symlink_to(CHECKOUT / "examples")
-    script = "\n".join(BLOCK.findall(document.read_text()))
+    script = "\n".join(BLOCK.findall(PAGE.read_text()))
     done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, check=True,
                           capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
     assert done.stdout and done.stderr == ""

@@ -35,6 +35,7 @@ TEST(AdjudicationColumns, TellTheFirstGroupByItsStrongestApproachAndCountTheOthe
                       approach(5, Finding::near_collapse, 20), approach(9, Finding::singular, 90),
                       approach(9, Finding::undecided, 10), approach(12, Finding::undecided, 3)};
   found.approaches[1].spheres = {1, 4};
+  found.approaches[1].curvature = Curvature{.margin = 3, .per_decade = -0.125, .depth = 20};
   found.approaches[2].collapse_time = "0.25000000000000000000000000000000001";
   auto told = texts(found);
   EXPECT_EQ(told["finding"], "singular");
@@ -48,6 +49,7 @@ TEST(AdjudicationColumns, TellTheFirstGroupByItsStrongestApproachAndCountTheOthe
   EXPECT_EQ(told["exact_contact"], "0");
   EXPECT_EQ(told["first_spheres"], "2");
   EXPECT_EQ(told["decades"], "30");
+  EXPECT_EQ(told["margin_per_decade"], "-0.125");
   EXPECT_EQ(told["collapse_time"], "0.25");
   EXPECT_EQ(told["seconds"], "2.5");
 }

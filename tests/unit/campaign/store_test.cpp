@@ -223,8 +223,8 @@ TEST_F(SweepStoreTest, IsNoFileOfAnotherProgram) {
 
 TEST_F(SweepStoreTest, OfANewerFormatIsRefused) {
   store();
-  Database(path(), Database::Access::write).execute("PRAGMA user_version = 3");
-  EXPECT_NE(refusal(small_sweep).find("is a store of format 3"), std::string::npos);
+  Database(path(), Database::Access::write).execute("PRAGMA user_version = 4");
+  EXPECT_NE(refusal(small_sweep).find("is a store of format 4"), std::string::npos);
 }
 
 TEST_F(SweepStoreTest, KeepsFindingsBesideTheRun) {
@@ -302,9 +302,22 @@ TEST_F(SweepStoreTest, OfTheFirstFormatIsReadAndExtendedInPlace) {
     EXPECT_EQ(StoredRuns(database, old).run(1).run, 1);
   }
   SweepStore opened = store(judging_sweep);
-  EXPECT_EQ(opened.sweep().format_version, 2);
+  EXPECT_EQ(opened.sweep().format_version, 3);
   EXPECT_EQ(row_of(1), "done|320|||");
   opened.record({1, Unchanged{}, some_findings()});
+  opened.commit();
+  EXPECT_EQ(row_of(1), "done|320|singular|7|");
+}
+
+TEST_F(SweepStoreTest, OfTheSecondFormatGetsTheColumnThatItLacks) {
+  store(judging_sweep);
+  {
+    Database database(path(), Database::Access::write);
+    database.execute("ALTER TABLE run DROP COLUMN adjudication_margin_per_decade");
+    database.execute("PRAGMA user_version = 2");
+  }
+  SweepStore opened = store(judging_sweep);
+  opened.record({1, with_hits(), some_findings()});
   opened.commit();
   EXPECT_EQ(row_of(1), "done|320|singular|7|");
 }

@@ -60,6 +60,23 @@ TEST(Approaches, StaircaseWithSmallStepsIsOneApproach) {
   EXPECT_EQ(approaches_of(rows, limit, least_approach_depth).size(), 1u);
 }
 
+/// A fall to 1e-60, a step back by so many decades, and a fall to the limit of 1e-100.
+std::vector<DepthRow> fall_with_a_step(double step) {
+  std::vector<DepthRow> rows;
+  for (int k = 0; k < 1500; ++k) {
+    const double depth = k < 600   ? 0.1 * k
+                         : k < 720 ? 60 - step * (k - 600) / 120
+                                   : std::min(60 - step + 0.1 * (k - 720), 100.0);
+    rows.push_back({k % 2, k % 2 + 1, depth, depth >= 100});
+  }
+  return rows;
+}
+
+TEST(Approaches, StepBackByLessThanAFifthOfTheDepthBelongsToADeepFall) {
+  EXPECT_EQ(approaches_of(fall_with_a_step(11), 100, least_approach_depth).size(), 1u);
+  EXPECT_EQ(approaches_of(fall_with_a_step(14), 100, least_approach_depth).size(), 2u);
+}
+
 TEST(Approaches, GapsOfAGasAreNone) {
   std::vector<DepthRow> rows;
   for (int k = 0; k < 400; ++k) rows.push_back({k % 2, k % 2 + 1, 1.0 + k % 5, false});

@@ -48,6 +48,7 @@ TEST(JudgedGroups, ZeroGapsMadeFromSeparatedSpheresAreAnExactContact) {
   const auto judged = judge_group(group, ladder({zero_gaps(11)}));
   ASSERT_EQ(judged.size(), 1u);
   EXPECT_EQ(judged[0].finding, Finding::exact_contact);
+  EXPECT_EQ(judged[0].decades, 0);
   EXPECT_EQ(judged[0].followed_from, 40);
 }
 
