@@ -133,12 +133,14 @@ class Simulation {
   /// by a kick.
   bool is_at_rest() const { return at_rest_; }
 
-  /// Events since the last collision or kick: spheres that have only been settled.
+  /// Events since the last collision or kick, spheres that have only been settled: those that are
+  /// certain to come, too, where they are more than most_idle_events().
   std::int64_t idle_events() const { return idle_events_; }
   /// Whether these are so many that it is looked at what is ahead: of usual systems never.
   bool is_idle() const { return idle_events_ >= 2 * std::int64_t{spheres()} + 1024; }
   /// Whether spheres have flown so far since then that their places have no digit left.
   bool has_lost_places() const;
+  double time_since_collision() const;
 
   std::int32_t spheres() const { return spheres_.count(); }
   const ShearBox<Dim, Real>& box() const { return spheres_.box(); }
@@ -228,6 +230,7 @@ class Simulation {
   bool only_cools() const;
   void look_around();
   void look_for_rest();
+  bool waits_in_vain() const;
   void leap();
   Real certainly_apart(const Real& least) const;
   void come_home();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/patience.hpp"
 #include "engine/simulation.hpp"
 #include "model/instantiate.hpp"
 
@@ -40,7 +41,11 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::look_around() {
   const auto events = static_cast<std::uint64_t>(idle_events_);
-  if (std::has_single_bit(events)) look_for_rest();
+  if (std::has_single_bit(events)) {
+    look_for_rest();
+    if (spheres() <= most_in_pairs && waits_in_vain())
+      idle_events_ = most_idle_events(spheres()) + 1;
+  }
   const auto pairs = static_cast<std::uint64_t>(spheres()) * static_cast<std::uint64_t>(spheres());
   const std::uint64_t between = std::bit_ceil(std::max<std::uint64_t>(pairs, 1024));
   const bool are_few = spheres() <= most_in_pairs;
@@ -141,7 +146,8 @@ bool Simulation<Dim, Real>::may_meet(std::int32_t i, std::int32_t j) const {
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                        \
   template void Simulation<Dim, Real>::kick(const std::vector<Vec<Dim, Real>>&); \
-  template void Simulation<Dim, Real>::look_around();
+  template void Simulation<Dim, Real>::look_around();                            \
+  template bool Simulation<Dim, Real>::move_as_one() const;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

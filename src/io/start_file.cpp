@@ -26,12 +26,6 @@ namespace {
   throw InputError(where + ": " + text);
 }
 
-std::vector<double> flat(const std::vector<std::vector<double>>& rows) {
-  std::vector<double> numbers;
-  for (const auto& row : rows) numbers.insert(numbers.end(), row.begin(), row.end());
-  return numbers;
-}
-
 /// `(1.2, -0.5, 2)`: where sphere `i` is.
 std::string place_of(const GivenStart& start, std::size_t i) {
   std::string text;
@@ -196,6 +190,21 @@ void require_motion(const Case& values, const GivenStart& start, const std::stri
          "drive the spheres");
 }
 
+/// What the drive leaves of the digits of velocities that were read; those that are written have
+/// been judged with the case.
+void require_digits(const Case& values, const GivenStart& start, const std::string& where) {
+  if (values.start.arrangement != Arrangement::file || start.velocities.empty()) return;
+  const double speed = case_format::thermal_speed(values, start.positions, start.velocities);
+  Case as_drawn = values;
+  as_drawn.start.granular_temperature = speed * speed;
+  for (const auto& rule : case_format::speed_rules()) {
+    if (rule.keys.front() == "start.granular_temperature") continue;
+    if (const auto objection = rule.objection(as_drawn)) {
+      reject(where, fmt::format("its velocities are not for {} {}", rule.keys.front(), *objection));
+    }
+  }
+}
+
 /// No sphere that gravity holds on a wall without a speed. Hard spheres meet in instants: in a
 /// contact that lasts there would be one after the other, and the clock would never leave 0.
 void require_no_lasting_contact(const Case& values, const GivenStart& start,
@@ -230,6 +239,7 @@ GivenStart given_start(const Case& values) {
   const std::string where = is_written ? "start.positions" : file;
   GivenStart start;
   if (is_written) {
+    using case_format::flat;
     start = {values.system.dimension,
              flat(values.start.positions),
              flat(values.start.velocities),
@@ -256,6 +266,7 @@ GivenStart given_start(const Case& values) {
   wrap(values, start);
   require_no_overlap(values, start, where);
   require_motion(values, start, where);
+  require_digits(values, start, where);
   require_no_lasting_contact(values, start, where);
   return start;
 }

@@ -52,8 +52,15 @@ class Motion {
 
   Motion(const Case& values, std::int64_t spheres);
 
-  /// Says where the images are: the offset of the upper one at a time (of a snapshot).
-  void start(double time, double offset);
+  /// Says where the images are, and how fast the engine's frame may drift: as all spheres do.
+  ///
+  /// \param time      of a snapshot
+  /// \param offset    of the upper image then
+  /// \param momentum  of all spheres then
+  void start(double time, double offset, const Vector& momentum);
+
+  /// Notes that the momentum of all has changed: by walls or kicks.
+  void add_momentum(const Vector& change);
 
   /// The sphere of a snapshot, whose storage is its error.
   Body<Dim> stored(const Vector& position, const Vector& velocity, double time) const;
@@ -94,6 +101,9 @@ class Motion {
   Number storage_error() const { return storage_error_; }
 
  private:
+  bool is_free(int axis) const { return shear_rate_ == 0 && closed_ != axis; }
+  Number frame_speed(Number time) const;
+
   Vector sides_;
   Vector acceleration_;
   std::optional<int> closed_;
@@ -102,6 +112,9 @@ class Motion {
   Number longest_ = 0;        ///< side
   Number storage_error_ = 0;  ///< of a position in a snapshot
   Number event_error_ = 0;    ///< of a contact, by rounding of its prediction
+  Number spheres_;
+  Vector momentum_;
+  Number drift_ = 0;  ///< the largest mean velocity up to now along axes on which a frame may move
   Number start_time_ = 0;
   Number start_offset_ = 0;
 };

@@ -45,7 +45,11 @@ void Replay<Dim>::start(const Snapshot& snapshot) {
   if (done_ != snapshot.step) last_.reset();
   done_ = snapshot.step;
   has_start_ = true;
-  motion_.start(snapshot.time, Dim > 1 ? snapshot.box_edges[Dim] : 0);
+  Vector momentum;
+  for (std::size_t at = 0; at < snapshot.velocities.size(); ++at) {
+    momentum[static_cast<int>(at % Dim)] += snapshot.velocities[at];
+  }
+  motion_.start(snapshot.time, Dim > 1 ? snapshot.box_edges[Dim] : 0, momentum);
   images_ = snapshot.images;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Vector position;
@@ -70,6 +74,7 @@ void Replay<Dim>::kick_until(double time) {
       Body<Dim>& body = bodies_[i];
       body = motion_.moved(body, when);
       body.velocity += changes[i];
+      motion_.add_momentum(changes[i]);
       // The mean of all changes is taken off, a sum of N rounded terms.
       body.velocity_error += 64 * motion_.rounding() * (length(body.velocity) + length(changes[i]));
     }
@@ -186,14 +191,15 @@ void Replay<Dim>::bounce(const CollisionRow& row, int wall) {
   const Precision precision = values_.collision.precision;
   const Number outward = wall == 0 ? -1 : 1;
   const Number tangential = in_precision(walls.tangential_restitution, precision);
-  const Number before = length(one.velocity);
+  const Vector before = one.velocity;
   one.velocity[axis] = -outward * law_.restitution(row) * row.normal_speed;
   for (int along = 0; along < Dim; ++along) {
     if (along == axis) continue;
     const double wall_speed = along != 0 ? 0.0 : wall == 0 ? walls.lower_speed : walls.upper_speed;
     one.velocity[along] = (1 + tangential) * wall_speed - tangential * one.velocity[along];
   }
-  const Number change = 2 * (before + length(one.velocity));
+  motion_.add_momentum(one.velocity - before);
+  const Number change = 2 * (length(before) + length(one.velocity));
   one.position_error += change * motion_.clock_error(row.time);
   one.velocity_error +=
       4 * double_rounding * change + length(motion_.acceleration()) * motion_.clock_error(row.time);

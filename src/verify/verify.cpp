@@ -76,8 +76,8 @@ class Verifier {
   void observe_snapshot() {
     // What the log has lost up to here is known only where it holds every collision up to here.
     const bool is_known = log_.collisions() == next_snapshot_->step;
-    const auto dissipated = is_known ? log_.dissipated() : std::nullopt;
-    if (snapshots_.observe(*next_snapshot_, dissipated, result_.findings)) {
+    const auto lost = is_known ? log_.take_dissipated() : std::nullopt;
+    if (snapshots_.observe(*next_snapshot_, lost, result_.findings)) {
       replay_.observe(*next_snapshot_, result_.findings);
     }
     read_snapshot();

@@ -33,8 +33,18 @@ TEST_F(StartFile, WithoutVelocitiesNeedsATemperature) {
 
 TEST_F(StartFile, WithSpeedsBeyondTheRangeOfTheirProductsIsRefused) {
   EXPECT_EQ(problem_of(xyz_header + "A 1 1 0 0 0 0\nA 4 1 0 0 -1e155 0\n"),
-            "start: the fastest sphere, 1, has a velocity of -1e+155; must be 0 or in [1e-100, "
-            "1e+100]; choose another unit of time");
+            "start: the fastest sphere, 1, has a velocity of -1e+155; must be 0 or in [1e-75, "
+            "1e+75]; choose another unit of time");
+}
+
+TEST_F(StartFile, WithSpeedsWhoseDigitsTheDriveLeavesIsNeeded) {
+  // 1 and -1 along x: a thermal speed of sqrt(1/2); 0.01 x 0.707 / 2^-52 = 3.18e13.
+  write(xyz_header + "A 1 1 0 1 0 0\nA 4 1 0 -1 0 0\n");
+  EXPECT_EQ(problem({"gravity.acceleration=[0, 1]", "run.time=3.1e13"}), "");
+  EXPECT_EQ(problem({"gravity.acceleration=[0, 1]", "run.time=1e14"}),
+            "start: its velocities are not for gravity.acceleration (all fall at 1e+14 "
+            "diameters/time at run.time, which is rounded to 0.022 in double; the thermal speed is "
+            "0.707); end the run earlier or use more digits in collision.precision");
 }
 
 TEST_F(StartFile, WithSpheresThatOverlapNamesThem) {
