@@ -77,7 +77,9 @@ RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_st
   });
 }
 
-bool RunFile::has_images() const { return hdf5::contains(file_, spheres_group + "image/value"); }
+bool RunFile::has_images() const {
+  return hdf5::contains(hdf5::opened(file_, spheres_group), "image");
+}
 
 Snapshot RunFile::snapshot(std::int64_t n) const {
   const auto held = static_cast<std::int64_t>(block_.steps.size());

@@ -68,8 +68,6 @@ def test_unwrapped_positions_move_with_the_velocities_of_the_flow(tmp_path):
             before = run.state()
             run.advance(20)
             after = run.state()
-            assert np.array_equal(before.unwrapped_positions - before.positions,
-                                  before.images @ before.box_edges)
             moved = np.abs(after.unwrapped_positions - before.unwrapped_positions)[:, 1:]
             fastest = max(np.abs(state.velocities[:, 1:]).max() for state in (before, after))
             # A sphere whose speed has grown and fallen within 20 collisions may be somewhat faster.
