@@ -337,3 +337,12 @@ def test_anatomy_tells_a_collapse_at_a_late_time_within_its_error(program, unit)
     assert 0 < anatomy["collapse_time"] * unit - (9e8 - 2) - 2 / 0.51 < 10
     error = anatomy["collapse_time_error"]
     assert 2.0**-52 < error / anatomy["collapse_time"] < 1e-12  # places are known to 1e-7
+
+
+def test_last_snapshot_has_the_kick_that_is_due_at_the_end(program):
+    # A kick and a snapshot at the end of the run: the averages count the work of both.
+    text = rods([1, 3, 5], [0.7, 0.7, 0.7], '[walls]\naxis = "x"\nrestitution = 0.5', "[run]\ntime = 5",
+                "[output]\nsnapshot_interval = 1", restitution=0.5, side=10).replace(
+                    'kind = "none"', 'kind = "random"\nnoise_strength = 1\nkick_interval = 0.5')
+    assert summary_of(program, text)["ended_by"] == "time"
+    program("verify", "out.h5")
