@@ -15,7 +15,7 @@ from .findings import finding_rows
 from .pictures import PAGE_WIDTH, Pictures, points
 
 LEAST_PANEL = 1.0  # inches, width of one of many
-SPREAD = 0.7  # of the step from point to point, over which the series lie side by side
+SPREAD = 0.5  # of the step from point to point, over which the series lie side by side
 LENGTHS = 9  # run lengths of the figure, a factor of two apart
 
 
@@ -178,7 +178,7 @@ def figure_grid(pictures, heading, rows, columns, size, legend=(), **sharing):
     return figure, grid
 
 
-def _heading(part, remark="; bars: 95 %"):
+def _heading(part, remark="; bars: 95 %, side by side"):
     """How many runs are shown, by which overlap rule they left their hits, what is incomplete."""
     counts, most = part.counts, int(part.counts.done.max())
     runs, done, failed, pending = (int(getattr(counts, name).sum())
