@@ -22,7 +22,7 @@ if(TARGET zenosphere_module)  # compiled for one minor version
   set(python_range "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor})")
 endif()
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-    "${python_range}, python3-numpy, python3-h5py, python3-matplotlib")
+    "${python_range}, python3-numpy, python3-scipy, python3-h5py, python3-matplotlib")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, openmpi-bin")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/postinst
                                        ${CMAKE_SOURCE_DIR}/packaging/prerm)

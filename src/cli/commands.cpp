@@ -31,12 +31,15 @@ constexpr const char* overview =
     "zenosphere --help lists all commands, zenosphere COMMAND --help the options of one.\n";
 
 /// Below the help of each command: how it is used, and what it returns.
-void add_footers(CLI::App& app) {
+void add_footers(CLI::App& app, const std::string& prefix = "") {
   for (CLI::App* command : app.get_subcommands({})) {
-    const std::string_view example = example_of(command->get_name());
+    const std::string name = prefix + command->get_name();
+    const std::string_view example = example_of(name);
     if (!example.empty()) {
-      command->footer(fmt::format("Example:\n  {}\n\nExit codes:\n{}", example, exit_code_lines()));
+      command->footer(
+          fmt::format("Example:\n  {}\n\nExit codes:\n{}", example, exit_code_lines(name)));
     }
+    add_footers(*command, name + ' ');
   }
 }
 

@@ -55,11 +55,12 @@ void lead_path_to(const fs::path& folder) {
   for (std::string& word : line) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execvp(python.c_str(), arguments.data());
-  throw InputError(fmt::format(
-      "zenosphere {}: {} cannot be started ({}), and this command is one of the Python "
-      "package; install python3, python3-numpy, python3-h5py and python3-matplotlib, or "
-      "name an interpreter that has them in ZENOSPHERE_PYTHON",
-      command, python, std::strerror(errno)));
+  throw InputError(
+      fmt::format("zenosphere {}: {} cannot be started ({}), and this command is one of the Python "
+                  "package; install python3, python3-numpy, python3-scipy, python3-h5py and "
+                  "python3-matplotlib, or "
+                  "name an interpreter that has them in ZENOSPHERE_PYTHON",
+                  command, python, std::strerror(errno)));
 }
 
 void add(CLI::App& app, const std::string& name, const std::string& what) {
@@ -77,6 +78,7 @@ void add_python_commands(CLI::App& app) {
   add(app, "cooling", "draw the granular temperature against time (Python)");
   add(app, "movie", "draw the snapshots of a run one after another (Python)");
   add(app, "ensemble", "draw and tabulate a sweep's store (Python)");
+  add(app, "analyse", "structure, velocities, profiles, transport from snapshots (Python)");
 }
 
 }  // namespace zenosphere

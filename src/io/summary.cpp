@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "io/counted.hpp"
 #include "io/json.hpp"
 
 namespace zenosphere {
@@ -134,9 +135,11 @@ std::string run_lines(const Summary& s) {
 
 std::string separation_text(const Summary::Separation& separation) {
   if (!separation.first_collision) return "never met";
-  return fmt::format("{} hits, collisions {} to {}, first at time {:.6g}", separation.hits,
-                     *separation.first_collision, separation.last_collision.value_or(0),
-                     separation.first_time.value_or(0));
+  const std::int64_t first = *separation.first_collision;
+  const double time = separation.first_time.value_or(0);
+  if (separation.hits == 1) return fmt::format("1 hit, collision {}, at time {:.6g}", first, time);
+  return fmt::format("{} hits, collisions {} to {}, first at time {:.6g}", separation.hits, first,
+                     separation.last_collision.value_or(0), time);
 }
 
 /// The first few pairs; a cluster can have hundreds.
@@ -176,9 +179,9 @@ std::string dissected_line(std::string_view name, const Summary::Dissected& d) {
   const std::string factors = factor_text("gap", d.gap_ratio) +
                               factor_text("speed", d.speed_ratio) +
                               factor_text("flight", d.flight_ratio);
-  return line(name, fmt::format("{} spheres, a chain of {}, straightness {:.6g}{}{}", d.spheres,
-                                d.chain.size(), d.straightness, factors,
-                                factors.empty() ? "" : " per collision"));
+  return line(name, fmt::format("{}, a chain of {}, straightness {:.6g}{}{}",
+                                counted(d.spheres, "sphere"), d.chain.size(), d.straightness,
+                                factors, factors.empty() ? "" : " per collision"));
 }
 
 std::string anatomy_lines(const Summary::Anatomy& anatomy) {
@@ -200,8 +203,8 @@ std::string criteria_lines(const Summary& s) {
 std::string contact_line(const Summary::Contact& contact) {
   if (!contact.mean_restitution) return "";
   return line("mean restitution",
-              fmt::format("{:.6g} ({} collisions made elastic, {} rotated)",
-                          *contact.mean_restitution, contact.made_elastic, contact.rotated));
+              fmt::format("{:.6g} ({} made elastic, {} rotated)", *contact.mean_restitution,
+                          counted(contact.made_elastic, "collision"), contact.rotated));
 }
 
 /// Averages as lines, with so many digits.

@@ -237,9 +237,13 @@ def test_adjudication_is_kept_in_the_output_file(program):
         assert json.loads(file["zenosphere/adjudication"].asstr()[()]) == result != other
 
 
-def test_run_without_a_hit_is_refused(program):
-    done = program("adjudicate", SHEAR, "--set", "run.collisions=10", code=2)
-    assert "no separation hit in 10 collisions" in done.stderr
+def test_run_without_a_hit_is_an_answer(program):
+    result = adjudicated(program, SHEAR, "--set", "run.collisions=10")
+    assert result["approaches"] == [] and result["finding"] is None
+    assert result["hits"] == 0 and result["first_hit"] is None
+    assert program("adjudicate", SHEAR, "--set", "run.collisions=10").stdout == (
+        "Nothing to adjudicate: no two spheres have met the separation criterion in 10"
+        " collisions.\n")
 
 
 def test_digits_are_never_taken_away(program):

@@ -18,7 +18,8 @@ def test_help_lists_the_commands_that_exist_and_no_other(program):
     done = program("--help")
     assert set(commands_in(done.stdout)) == {
         "run", "resume", "check", "info", "adjudicate", "verify", "sweep", "export", "report",
-        "new", "examples", "figures", "report", "cooling", "movie", "ensemble", "completion", "manual"}
+        "new", "examples", "figures", "report", "cooling", "movie", "ensemble", "analyse",
+        "completion", "manual"}
     assert done.stderr == ""
 
 
@@ -114,6 +115,25 @@ def test_word_that_is_not_understood_is_repeated(program, words):
 ])
 def test_wrong_command_line_is_told_in_one_line_of_our_grammar(program, words, told):
     assert program.fail(*words.split()) == [told]
+
+
+@pytest.mark.parametrize("command", ["figures", "report-md", "cooling", "movie", "ensemble"])
+def test_manual_of_a_command_in_python_has_the_options_that_it_takes(program, command):
+    manual = program("manual", command).stdout.replace("\\-", "-").split(".SH DESCRIPTION")[0]
+    taken = program(command, "--help").stdout.split("options:")[1]
+    options = set(re.findall(r"^  (?:-o \S+, )?(--[\w-]+)", taken, re.MULTILINE))
+    assert set(re.findall(r"--[\w-]+", manual)) | {"--output"} == options | {"--output"}
+    assert ("[-o " in manual) == ("--output" in options)
+
+
+def test_exit_codes_are_told_where_they_can_be(program):
+    def codes(*command):
+        text = program(*command, "--help").stdout.split("Exit codes:")[1]
+        return set(re.findall(r"^\s*(\d+) ", text, re.MULTILINE))
+    assert codes("run") == codes("resume") == {"0", "1", "2", "3", "4", "130"}
+    assert codes("sweep") == {"0", "1", "2", "4", "130"}
+    assert codes("info") == codes("verify") == codes("sweep", "show") == {"0", "1", "2"}
+    assert codes("export") == {"0", "1", "2", "4"}
 
 
 def test_help_of_a_command_is_a_command_too(program):

@@ -104,6 +104,12 @@ def test_one_component_in_a_snapshot(program, finished, dataset):
     assert "sphere 17" in findings(program)[0]
 
 
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_the_image_of_a_sphere_in_a_snapshot(program, finished, axis):
+    changed(finished, "particles/spheres/image/value", (3, 17, axis), lambda value: value + 1)
+    assert "sphere 17 has the image" in findings(program)[0]
+
+
 def test_a_missing_row(program, finished):
     without_row(finished, 700, renumbered=False)
     assert findings(program)[0].startswith("out.h5: collision 702: follows 700 in the log")

@@ -167,6 +167,16 @@ TEST(Summary, TextGivesAveragesThatFewCollisionsSupportInFewDigits) {
   EXPECT_EQ(told_after(100'000'000), "0.123457");
 }
 
+TEST(Summary, IsReadBackWhereAveragesAreNoNumbersOfDouble) {
+  Summary summary = collapsed_summary();
+  summary.averages = planar_averages();
+  summary.averages->dissipation = summary.averages->temperature_diagonal[1] =
+      summary.averages->pressure_tensor[2] = std::numeric_limits<double>::infinity();
+  const std::string text = to_json(summary, 2);
+  EXPECT_EQ(to_json(summary_from_json(text, 2), 2), text);
+  EXPECT_TRUE(Json::parse(text)["averages"]["pressure_tensor"][1][0].is_null());
+}
+
 Summary::Dissected dissected_chain() {
   Summary::Dissected found;
   found.collision = 70;
@@ -217,7 +227,7 @@ TEST(Summary, TextBeginsWithTheVerdictInPlainWords) {
 
 TEST(Summary, TextTellsHowManyOthersStillMoveWhereTheClockStands) {
   auto summary = collapsed_summary();
-  EXPECT_NE(to_text(summary, 2).find("It is the time of all: 1 other sphere was still moving.\n"),
+  EXPECT_NE(to_text(summary, 2).find("It stands still for all: 1 other sphere was still moving.\n"),
             std::string::npos);
   EXPECT_NE(to_text(summary, 2).find("  0-3 1-3; 1 other sphere still moving\n"),
             std::string::npos);
