@@ -1,8 +1,8 @@
 """Zenosphere: inelastic hard spheres by events, and whether they collapse.
 
-`Case` describes a run, `Run` does it, `open` reads what one has recorded (docs/python.md). They
-need the compiled part of the package. The rest draws figures and writes reports: `python3 -m
-zenosphere --help`.
+`Case` describes a run, `Run` does it, `open` reads what one has recorded (docs/python.md) and
+`analyse` measures it (docs/measurements.md). They need the compiled part of the package. The rest
+draws figures and writes reports: `python3 -m zenosphere --help`.
 """
 
 from importlib import import_module
@@ -10,17 +10,19 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from .errors import InputError, OutputError
+from .version import __version__
 
 if TYPE_CHECKING:
+    from .analysis.results import analyse
     from .case import Case
     from .output import Output, open
     from .run import COLLISION_DTYPE, Run, State
 
-__all__ = ["COLLISION_DTYPE", "Case", "InputError", "Output", "OutputError", "Run", "State", "open"]
-__version__ = "0.1.0"  # of CMakeLists.txt
+__all__ = ["COLLISION_DTYPE", "Case", "InputError", "Output", "OutputError", "Run", "State",
+           "analyse", "open"]
 
 _COMPILED = {"COLLISION_DTYPE": ".run", "Case": ".case", "Output": ".output", "Run": ".run",
-             "State": ".run", "open": ".output"}
+             "State": ".run", "analyse": ".analysis.results", "open": ".output"}
 
 
 def __getattr__(name: str) -> Any:

@@ -1,5 +1,5 @@
 """Command line: `python3 -m zenosphere figures ...`, `... report-md ...`, `... cooling ...`,
-`... movie ...` and `... ensemble ...`."""
+`... movie ...`, `... ensemble ...` and `... analyse ...`."""
 
 import argparse
 import os
@@ -7,6 +7,7 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 
+from .analysis.command import add_analyse
 from .cooling_figure import draw_cooling
 from .ensemble import Ensemble
 from .ensemble_figures import draw_ensemble
@@ -136,6 +137,7 @@ def _parser():
     cooling.set_defaults(command=_cooling)
     _add_movie(commands)
     _add_ensemble(commands)
+    add_analyse(commands, _add_look)
     return parser
 
 
@@ -148,8 +150,9 @@ def _add_movie(commands):
     movie.add_argument("--colour", choices=COLOURINGS, default="speed",
                        help="of spheres: peculiar speed, or how many collisions ago each of them"
                        " collided last (default: speed)")
-    movie.add_argument("--fps", metavar="N", type=_positive, default=12,
-                       help="snapshots a second (default: 12)")
+    movie.add_argument("--fps", metavar="N", type=_positive,
+                       help="snapshots a second (default: 12, or fewer where the movie would last"
+                       " less than three seconds)")
     movie.add_argument("--every", metavar="N", type=_positive, default=1,
                        help="one snapshot of so many (default: 1)")
     movie.set_defaults(command=_movie)

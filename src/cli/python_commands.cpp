@@ -19,16 +19,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folder that holds the Python package: beside the program in a build, where it is installed, or
-/// around the program where pip has put it into the package. Empty where there is none: Python's
-/// own path may have it.
+/// Folder that holds the Python package: beside the program in a build, where it or Debian's
+/// package is installed, or around the program where pip has put it into the package. Empty where
+/// there is none: Python's own path may have it.
 fs::path python_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
   const fs::path here = program.parent_path();
-  for (const fs::path& folder : {here / "python", here.parent_path() / ZENOSPHERE_PYTHON_FOLDER,
-                                 here.parent_path().parent_path()}) {
+  const fs::path prefix = here.parent_path();
+  for (const fs::path& folder : {here / "python", prefix / ZENOSPHERE_PYTHON_FOLDER,
+                                 prefix / "lib/python3/dist-packages", prefix.parent_path()}) {
     if (fs::exists(folder / "zenosphere" / "__init__.py", error)) return folder.lexically_normal();
   }
   return {};
@@ -54,11 +55,12 @@ void lead_path_to(const fs::path& folder) {
   for (std::string& word : line) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execvp(python.c_str(), arguments.data());
-  throw InputError(fmt::format(
-      "zenosphere {}: {} cannot be started ({}), and this command is one of the Python "
-      "package; install python3, python3-numpy, python3-h5py and python3-matplotlib, or "
-      "name an interpreter that has them in ZENOSPHERE_PYTHON",
-      command, python, std::strerror(errno)));
+  throw InputError(
+      fmt::format("zenosphere {}: {} cannot be started ({}), and this command is one of the Python "
+                  "package; install python3, python3-numpy, python3-scipy, python3-h5py and "
+                  "python3-matplotlib, or "
+                  "name an interpreter that has them in ZENOSPHERE_PYTHON",
+                  command, python, std::strerror(errno)));
 }
 
 void add(CLI::App& app, const std::string& name, const std::string& what) {
@@ -76,6 +78,7 @@ void add_python_commands(CLI::App& app) {
   add(app, "cooling", "draw the granular temperature against time (Python)");
   add(app, "movie", "draw the snapshots of a run one after another (Python)");
   add(app, "ensemble", "draw and tabulate a sweep's store (Python)");
+  add(app, "analyse", "structure, velocities, profiles, transport from snapshots (Python)");
 }
 
 }  // namespace zenosphere

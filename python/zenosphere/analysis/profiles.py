@@ -1,0 +1,57 @@
+"""Density, velocity and temperature across the gradient, or from wall to wall."""
+
+import numpy as np
+
+from .blocking import errors_of_means
+from .frames import AXES
+
+THICK, THIN = 1.0, 0.5  # diameters, layers of a periodic box and between walls
+MOST = 200
+
+
+class Profiles:
+    """Means in layers across one axis: y, or the normal of the walls; x in one dimension.
+
+    The temperature of a layer is the variance of one velocity component about the mean velocity of
+    that layer over all snapshots; the imposed profile is taken off before.
+
+    frames: Frames
+    """
+
+    def __init__(self, frames):
+        self.shear_rate, self.dimension = frames.shear_rate, frames.dimension
+        self.axis = frames.walls if frames.walls is not None else min(frames.dimension - 1, 1)
+        side = frames.box.sides[self.axis]
+        thickness = THICK if frames.walls is None else THIN
+        layers = int(np.clip(round(side / thickness), 1, MOST))
+        self.edges = np.linspace(0, side, layers + 1)
+        self._layer_volume = np.prod(frames.box.sides) / layers
+        self._rows = []  # of each snapshot: per layer 1, velocity and its square, summed
+
+    def add(self, frame):
+        """Adds the spheres of a snapshot, by their centres."""
+        layers = len(self.edges) - 1
+        where = np.clip(np.digitize(frame.positions[:, self.axis], self.edges) - 1, 0, layers - 1)
+        velocities = frame.profile_velocities
+        summed = [np.ones(len(where)), *velocities.T, np.sum(velocities**2, axis=1)]
+        self._rows.append(np.array([np.bincount(where, each, layers) for each in summed]).T)
+
+    def result(self):
+        """profiles: axis, y, solids_volume_fraction, velocity, mean_velocity, ..."""
+        rows = np.array(self._rows)  # (snapshots, layers, 1 + D + 1)
+        number, velocity, square = rows[:, :, 0], rows[:, :, 1:-1], rows[:, :, -1]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            mean = velocity.sum(axis=0) / number.sum(axis=0)[:, None]
+            about = square - 2 * np.sum(velocity * mean, axis=2) + number * np.sum(mean**2, axis=1)
+            temperature = about.sum(axis=0) / (self.dimension * number.sum(axis=0))
+            errors = {"velocity": errors_of_means(velocity[:, :, 0] / number),
+                      "granular_temperature": errors_of_means(about / (self.dimension * number))}
+        place = (self.edges[1:] + self.edges[:-1]) / 2
+        mean[:, 0] += self.shear_rate * (place - self.edges[-1] / 2)
+        sphere = {1: 1.0, 2: np.pi / 4, 3: np.pi / 6}[self.dimension] / self._layer_volume
+        errors["solids_volume_fraction"] = errors_of_means(number * sphere)
+        return {"profiles": {
+            "axis": AXES[self.axis], "y": place,
+            "solids_volume_fraction": number.mean(axis=0) * sphere, "velocity": mean[:, 0],
+            "mean_velocity": mean, "granular_temperature": np.maximum(temperature, 0),
+            **{f"{name}_standard_error": error for name, error in errors.items()}}}

@@ -1,0 +1,46 @@
+"""All measurements of a run together."""
+
+import os
+from typing import Any
+
+from ..output import open as open_output
+from .collision_log import collision_distributions
+from .contacts import Contacts, FreePath
+from .displacements import Displacements
+from .frames import Frames
+from .profiles import Profiles
+from .radial import RadialDistribution
+from .stress import stresses
+from .structure import StructureFactor
+from .velocities import Velocities
+
+MEASUREMENTS = (RadialDistribution, StructureFactor, Velocities, Profiles, FreePath, Contacts,
+                Displacements)
+
+
+def analyse(path: str | os.PathLike[str], *, from_time: float | None = None,
+            to_time: float | None = None) -> dict[str, Any]:
+    """Structure, velocities, profiles and transport of a run, from its snapshots.
+
+    path: an output file, of a run that has ended or still goes on
+    from_time, to_time: of the snapshots that count; from where the averages of the run begin, to
+    the last one
+    Returns the object that `zenosphere analyse --json` prints (docs/measurements.md), with NumPy
+    arrays for its lists: `analyse("run.h5")["radial_distribution"]["g"]`. What cannot be known is
+    None, in arrays NaN.
+    Raises InputError where there is no such file, or no snapshot of that time in it.
+    """
+    output = open_output(path)
+    frames = Frames(output, from_time, to_time)
+    measurements = [measurement(frames) for measurement in MEASUREMENTS]
+    for frame in frames:
+        for measurement in measurements:
+            measurement.add(frame)
+    found = {"file": output.path, "spheres": frames.spheres, "dimension": frames.dimension,
+             "snapshots": len(frames), "from_time": frames.first.time, "to_time": frames.last.time}
+    for measurement in measurements:
+        found |= measurement.result()
+    found |= stresses(output.summary, frames.shear_rate)
+    found["collision_distributions"] = (collision_distributions(output.path, *frames.span)
+                                        if output.has_every_collision else None)
+    return found

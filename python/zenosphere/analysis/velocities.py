@@ -1,0 +1,78 @@
+"""Distribution of velocities: Sonine coefficients, and the whole curve with its tails."""
+
+import numpy as np
+from scipy.stats import chi
+
+from .blocking import mean_and_error
+
+WIDTH = 0.1  # of a bin, in units of the root of the granular temperature
+FASTEST = 8.0
+
+
+class Velocities:
+    """How peculiar velocities are spread, each snapshot in units of its own temperature.
+
+    a2 = D <v^4> / ((D + 2) <v^2>^2) - 1 and a3 = 1 + 3 a2 - D^2 <v^6> / ((D + 2) (D + 4) <v^2>^3),
+    the first coefficients of the expansion in Sonine polynomials; both are 0 for a Maxwellian. The
+    moments of N spheres whose momentum is 0 are multiplied by what makes them unbiased then.
+    Source: Brilliantov & Poeschel, Europhys. Lett. 74 (2006) 424.
+
+    frames: Frames
+    """
+
+    def __init__(self, frames):
+        self.dimension = frames.dimension
+        bins = round(FASTEST / WIDTH)
+        self.component_edges = np.linspace(-FASTEST, FASTEST, 2 * bins + 1)
+        self.speed_edges = np.linspace(0, FASTEST, bins + 1)
+        self._components, self._speeds = np.zeros(2 * bins), np.zeros(bins)
+        self._number = 0
+        self._a2, self._a3, self.temperatures = [], [], []
+
+    def add(self, frame):
+        """Adds the velocities of a snapshot; one in which nothing moves has no distribution."""
+        squares = np.sum(frame.velocities**2, axis=1)
+        temperature = float(squares.mean()) / self.dimension
+        self.temperatures.append(temperature)
+        if frame.spheres < 2 or not temperature > 0:
+            return
+        a2, a3 = sonine(squares, self.dimension)
+        self._a2.append(a2)
+        self._a3.append(a3)
+        unit = np.sqrt(temperature)
+        self._components += np.histogram(frame.velocities / unit, self.component_edges)[0]
+        self._speeds += np.histogram(np.sqrt(squares) / unit, self.speed_edges)[0]
+        self._number += frame.spheres
+
+    def result(self):
+        """granular_temperature, sonine and velocity_distribution."""
+        found = {}
+        for name, series in (("a2", self._a2), ("a3", self._a3)):
+            found[name], found[f"{name}_standard_error"] = mean_and_error(series)
+        value, error = mean_and_error(self.temperatures)
+        return {"granular_temperature": {"value": value, "standard_error": error}, "sonine": found,
+                "velocity_distribution": self._distribution()}
+
+    def _distribution(self):
+        number = max(self._number, 1)
+        component = (self.component_edges[1:] + self.component_edges[:-1]) / 2
+        speed = (self.speed_edges[1:] + self.speed_edges[:-1]) / 2
+        return {"component": component,
+                "component_density": self._components / (number * self.dimension * WIDTH),
+                "component_maxwell": np.exp(-component**2 / 2) / np.sqrt(2 * np.pi),
+                "speed": speed, "speed_density": self._speeds / (number * WIDTH),
+                "speed_maxwell": chi.pdf(speed, self.dimension)}
+
+
+def sonine(squares, dimension):
+    """a2 and a3 of one snapshot.
+
+    squares: (N), squared velocities relative to their mean
+    """
+    number, d = len(squares), dimension
+    free = (number - 1) * d  # components that the conserved momentum leaves free
+    mean = squares.mean()
+    fourth = np.mean((squares / mean) ** 2) * (free + 2) / free
+    sixth = np.mean((squares / mean) ** 3) * (free + 2) * (free + 4) / free**2
+    a2 = d / (d + 2) * fourth - 1
+    return a2, 1 + 3 * a2 - d**2 / ((d + 2) * (d + 4)) * sixth
