@@ -36,6 +36,7 @@ class BuildWithCMake(build_ext):
         program = target.parent / "bin" / "zenosphere"  # which the command `zenosphere` starts
         program.parent.mkdir(exist_ok=True)
         shutil.copy2(folder / "zenosphere", program)
+        shutil.copy2(CHECKOUT / "CITATION.cff", target.parent)
 
     @staticmethod
     def _configure(folder):
@@ -45,7 +46,7 @@ class BuildWithCMake(build_ext):
 
 
 def version():
-    return re.search(r"VERSION ([\d.]+) LANGUAGES", (CHECKOUT / "CMakeLists.txt").read_text())[1]
+    return re.search(r"^version: (.+)$", (CHECKOUT / "CITATION.cff").read_text(), re.M)[1]
 
 
 (CHECKOUT / "build" / "pip").mkdir(parents=True, exist_ok=True)

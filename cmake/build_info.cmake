@@ -24,5 +24,6 @@ if(hash AND NOT prefix)
   set(GIT_HASH ${hash})
 endif()
 
+file(READ ${SOURCE_DIR}/CITATION.cff CITATION)
 string(STRIP "${COMPILER_FLAGS}" COMPILER_FLAGS)
 configure_file(${TEMPLATE} ${OUTPUT} @ONLY)

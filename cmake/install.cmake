@@ -4,6 +4,7 @@
 install(TARGETS zenosphere RUNTIME)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/python/zenosphere DESTINATION ${ZENOSPHERE_PYTHON_FOLDER}
         PATTERN "__pycache__" EXCLUDE)
+install(FILES ${CMAKE_SOURCE_DIR}/CITATION.cff DESTINATION ${ZENOSPHERE_PYTHON_FOLDER}/zenosphere)
 if(TARGET zenosphere_module)
   install(TARGETS zenosphere_module LIBRARY DESTINATION ${ZENOSPHERE_PYTHON_FOLDER}/zenosphere)
 endif()
@@ -11,6 +12,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples/ DESTINATION ${CMAKE_INSTALL_DOCD
         PATTERN "__pycache__" EXCLUDE)
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/CITATION.cff
               ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md
+              ${CMAKE_SOURCE_DIR}/packaging/copyright
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # Manual pages and completion come from the program's own table of arguments.

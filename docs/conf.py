@@ -17,7 +17,7 @@ sys.modules["zenosphere._core"] = compiled
 sys.path.insert(0, str(CHECKOUT / "python"))
 
 project = "Zenosphere"
-release = re.search(r"VERSION ([\d.]+) LANGUAGES", (CHECKOUT / "CMakeLists.txt").read_text())[1]
+release = re.search(r"^version: (.+)$", (CHECKOUT / "CITATION.cff").read_text(), re.M)[1]
 
 extensions = ["myst_parser", "sphinx.ext.autodoc"]
 myst_heading_anchors = 4  # for links such as theory.md#criteria

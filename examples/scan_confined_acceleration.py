@@ -6,7 +6,8 @@ Below e = exp(-pi / sqrt(3)) = 0.163 its bounces accumulate (Cornell, Swift & Br
 026105. Lengths are in sides L, times in (L^2 / noise_strength)^(1/3); kicks come at intervals, and
 the white noise of the theory is the limit of short ones.
 
-Usage: scan_confined_acceleration.py [FIGURE.png]
+Usage: scan_confined_acceleration.py [FIGURE.png [RESULTS.json]]
+RESULTS.json keeps what was measured; where it exists, nothing is run.
 """
 
 import sys
@@ -52,32 +53,43 @@ def folded(places, bins=25):
     return (edges[1:] + edges[:-1]) / 2, counts / len(places) * bins
 
 
-def draw(densities, path):
+def draw(rows, path):
     """Density of places at the shortest interval."""
     with scanning.drawn(path) as axes:
-        for (restitution, (distance, density)), marker in zip(densities.items(), "osv^D"):
-            axes.plot(distance, density, marker, linestyle="-", linewidth=0.8, markersize=3,
-                      label=f"e = {restitution}")
-        axes.set(xlabel="distance from the nearer wall / L", ylabel="density of places x L",
-                 ylim=(0, None))
-        axes.legend(frameon=False)
+        for row, marker in zip(rows, "osv^D"):
+            axes.plot(*row["density"], marker, linestyle="-", linewidth=0.8, markersize=3,
+                      label=f"$e = {row['restitution']}$")
+        axes.axhline(1, color="0.5", linewidth=0.7, linestyle=":", zorder=0, label="uniform")
+        axes.set(xlabel="distance from the nearer wall / side $L$ of the box",
+                 ylabel="probability density / uniform density", xlim=(0, 0.5), ylim=(0, None))
+        axes.legend()
 
 
-def main():
-    """Prints a row for each restitution, and draws the figure if a file is named."""
-    densities = {}
-    print(f"share within {EDGE} L of a wall (uniform: {2 * EDGE}), bounces in a unit of time;"
-          " kick intervals " + ", ".join(f"{interval / UNIT:.4f}" for interval in INTERVALS))
+def scan():
+    """One dict for each restitution: `restitution`, `cells` (share at a wall, its error and rate
+    of bounces at each interval) and `density` (folded(), at the shortest interval)."""
+    rows = []
     for restitution in RESTITUTION:
         cells = []
         for interval in INTERVALS:
             places, rate = measured(restitution, interval)
-            share, error = at_wall(places)
-            cells.append(f"{share:.3f} +- {error:.3f}, {rate:.1f}")
-        densities[restitution] = folded(places)
-        print(f"{restitution:<5} " + "   ".join(cells), flush=True)
-    if len(sys.argv) > 1:
-        draw(densities, sys.argv[1])
+            cells.append([*at_wall(places), rate])
+        density = [each.tolist() for each in folded(places)]
+        rows.append({"restitution": restitution, "cells": cells, "density": density})
+    return rows
+
+
+def main():
+    """Prints a row for each restitution, and draws the figure if a file is named."""
+    figure, results = (*sys.argv[1:], None, None)[:2]
+    print(f"share within {EDGE} L of a wall (uniform: {2 * EDGE}), bounces in a unit of time;"
+          " kick intervals " + ", ".join(f"{interval / UNIT:.4f}" for interval in INTERVALS))
+    rows = scanning.kept(results, scan)
+    for row in rows:
+        print(f"{row['restitution']:<5} " + "   ".join(
+            f"{share:.3f} +- {error:.3f}, {rate:.1f}" for share, error, rate in row["cells"]))
+    if figure:
+        draw(rows, figure)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,8 @@ one a period is given, up to rotation and mirror image. A contact takes gaps and
 the same linear map, so that a word repeats along eigenvectors of its round map.
 Source: Dolmaire & Huebner-Rosenau, arXiv 2411.10324 (2024).
 
-Usage: scan_four_rods.py [WORDS.png PATTERN.png]
+Usage: scan_four_rods.py [WORDS.png PATTERN.png [RESULTS.json]]
+RESULTS.json keeps what was measured; where it exists, nothing is run.
 """
 
 import sys
@@ -189,7 +190,7 @@ def sensitivity(restitution, random):
 
 def draw_words(counts, windows, path):
     """Share of each word against e, with the windows of stability above."""
-    with scanning.drawn(path, size=(5.6, 3.8)) as axes:
+    with scanning.drawn(path, size=(5.6, 3.9)) as axes:
         words = ["ab", *(f"(ab)^{n}(cb)^{n}" for n in (6, 5, 4, 3, 2)), "other word", "no period",
                  "fly apart"]
         colors = ["#4477aa", "#882255", "#aa3377", "#ee6677", "#ccbb44", "#228833", "#66ccee",
@@ -201,11 +202,12 @@ def draw_words(counts, windows, path):
                               for counter in counts]) / STARTS
             if share.any():
                 axes.bar(RESTITUTION, share, np.diff(RESTITUTION)[0], bottom, color=color,
-                         label=f"${word}$" if "^" in word else word)
+                         label=word if " " in word else f"${word}$")
             bottom += share
         for number, ends in windows.items():
             axes.plot(ends, [1.04, 1.04], linewidth=4, solid_capstyle="butt",
                       color=colors[words.index(f"(ab)^{number}(cb)^{number}")])
+        axes.text(0.0505, 1.04, "stable:", va="center", fontsize=8)
         for place, text in ((THREE, r"$7-4\sqrt{3}$"), (PATTERN, r"$5-2\sqrt{6}$"),
                             (FOUR, r"$3-2\sqrt{2}$")):
             axes.axvline(place, color="black", linewidth=0.8, linestyle="--")
@@ -213,22 +215,23 @@ def draw_words(counts, windows, path):
                       bbox={"color": "white", "pad": 0.5})
         axes.set(xlabel="restitution $e$", ylabel="share of starts", xlim=(0.049, 0.201),
                  ylim=(0, 1.16), yticks=np.arange(0, 1.01, 0.25))
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=4, frameon=False,
-                    fontsize=8)
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=4)
 
 
 def draw_pattern(rows, growth, path):
     """Rounds of ababcb against the size of the error, with the slope of the eigenvalues."""
     with scanning.drawn(path, size=(5.2, 3.2)) as axes:
-        for (kind, each), marker in zip(rows.items(), "ox"):
-            powers, rounds, _ = zip(*each)
-            axes.plot(powers, rounds, marker, markersize=4, label=kind)
+        for kind, marker, label in (("run", "o", f"runs with {DIGITS} digits"),
+                                    ("exact", "x", "exact fractions")):
+            powers, rounds, _ = zip(*rows[kind])
+            axes.plot(powers, rounds, marker, markersize=4, label=label)
         powers, rounds = np.array(powers), np.array(rounds)
         line = powers / np.log10(growth)
         axes.plot(powers, line + np.mean(rounds - line), linewidth=1, zorder=0,
-                  label=f"error x {growth:.1f} a round")
-        axes.set(xlabel="$k$: a gap is off by $10^{-k}$", ylabel="rounds of ababcb")
-        axes.legend(frameon=False)
+                  label=rf"error $\times\;{growth:.1f}$ in each round")
+        axes.set(xlabel="$k$, where a gap is off by $10^{-k}$ of the widest",
+                 ylabel="rounds of the word $ababcb$")
+        axes.legend()
 
 
 def eigenvalues(word, restitution):
@@ -240,13 +243,19 @@ def eigenvalues(word, restitution):
     return values[np.argsort(-abs(values))].real
 
 
-def main():
-    """Prints words, windows and the life of ababcb, and draws the figures."""
+def all_runs():
+    """What the program says: `counts` and `agreeing` of scan(), `rows` of instability()."""
     with tempfile.TemporaryDirectory() as folder:
         counts, agreeing = scan(Path(folder))
-        print(f"{agreeing} of {STARTS * len(RESTITUTION)} runs have the contacts of the scaled"
-              " computation, one by one")
-        rows = instability(Path(folder))
+        return {"counts": counts, "agreeing": agreeing, "rows": instability(Path(folder))}
+
+
+def main():
+    """Prints words, windows and the life of ababcb, and draws the figures."""
+    words, pattern, results = (*sys.argv[1:], None, None, None)[:3]
+    found = scanning.kept(results, all_runs)
+    print(f"{found['agreeing']} of {STARTS * len(RESTITUTION)} runs have the contacts of the scaled"
+          " computation, one by one")
     random = np.random.default_rng(2)
     for restitution in WITHOUT_PERIOD:
         print(f"e = {restitution}, a gap off by 10^-k: (k, contacts in the same order) "
@@ -257,9 +266,9 @@ def main():
     values = eigenvalues("ababcb", float(PATTERN_AT))
     print(f"ababcb at e = 0.1: eigenvalues {values}, an error grows {values[1] / values[2]:.2f}"
           f" times a round; 5 - 2 sqrt(6) = {PATTERN:.9f}, 3 - 2 sqrt(2) = {FOUR:.9f}")
-    if len(sys.argv) > 2:
-        draw_words(counts, windows, sys.argv[1])
-        draw_pattern(rows, values[1] / values[2], sys.argv[2])
+    if pattern:
+        draw_words(found["counts"], windows, words)
+        draw_pattern(found["rows"], values[1] / values[2], pattern)
 
 
 if __name__ == "__main__":

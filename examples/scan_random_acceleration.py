@@ -10,7 +10,8 @@ Source: Cornell, Swift & Bray, Phys. Rev. Lett. 81 (1998) 1142.
 Measured is <ln r> from the collision log of kicked particles, for launch speeds much above one
 kick, at several kick intervals, and extrapolated to the interval zero.
 
-Usage: scan_random_acceleration.py [FIGURE.png]
+Usage: scan_random_acceleration.py [FIGURE.png [RESULTS.json]]
+RESULTS.json keeps what was measured; where it exists, nothing is run.
 """
 
 import sys
@@ -79,38 +80,50 @@ def measured(interval):
     return np.concatenate(ratios)
 
 
-def draw(rows, line, path):
+def draw(kick, mean, error, line, path):
     """<ln r> against the size of a kick, with the straight line and the exact value."""
     with scanning.drawn(path) as axes:
-        kick, mean, error = np.transpose(rows)
         axes.errorbar(kick, mean, error, fmt="o", markersize=4, capsize=2, label="measured")
-        ends = np.array([0, kick.max()])
-        axes.plot(ends, np.polyval(np.polyfit(kick, mean, 1, w=1 / error), ends), linewidth=1)
-        axes.errorbar([0], [line[0]], [line[1]], fmt="s", markersize=5, capsize=3,
-                      label="extrapolated")
-        axes.axhline(EXACT, color="black", linewidth=0.8, linestyle="--", label=r"$\pi/\sqrt{3}$")
-        axes.set(xlabel="standard deviation of a kick / mean launch speed",
-                 ylabel="mean of ln (return speed / launch speed)")
+        ends = np.array([0, max(kick)])
+        axes.plot(ends, np.polyval(np.polyfit(kick, mean, 1, w=1 / np.array(error)), ends),
+                  color="C0", linewidth=1, label="weighted linear fit")
+        axes.errorbar([0], [line[0]], [line[1]], fmt="s", color="C1", markersize=5, capsize=3,
+                      label="extrapolated to white noise")
+        axes.axhline(EXACT, color="black", linewidth=0.8, linestyle="--",
+                     label=r"exact: $\pi/\sqrt{3}$")
+        axes.set(xlabel="standard deviation of a kick / geometric mean of launch speeds",
+                 ylabel=r"$\langle\ln(w/u)\rangle$, return speed $w$, launch speed $u$")
         axes.legend()
+
+
+def scan():
+    """One dict for each kick interval: `interval`, `launches`, `slower` (share of the returns
+    slower than their launch), `mean` and `error` of ln r."""
+    rows = []
+    for interval in INTERVALS:
+        ratio = measured(interval)
+        mean, error = mean_logarithm(ratio)
+        rows.append({"interval": interval, "launches": len(ratio), "slower": np.mean(ratio < 1),
+                     "mean": mean, "error": error})
+    return rows
 
 
 def main():
     """Prints a row for each kick interval, the extrapolation, and draws the figure."""
-    rows = []
+    figure, results = (*sys.argv[1:], None, None)[:2]
     print(f"interval  launches  P(r < 1) (exact {cumulative(1):.4f})  <ln r>")
-    for interval in INTERVALS:
-        ratio = measured(interval)
-        mean, error = mean_logarithm(ratio)
-        kick = np.sqrt(interval) / np.sqrt(SLOWEST * FASTEST)
-        rows.append((kick, mean, error))
-        print(f"{interval:8g}  {len(ratio):8d}  {np.mean(ratio < 1):.4f}"
-              f"                 {mean:.4f} +- {error:.4f}")
-    line = extrapolated(*np.transpose(rows))
+    rows = scanning.kept(results, scan)
+    for row in rows:
+        print(f"{row['interval']:8g}  {row['launches']:8d}  {row['slower']:.4f}"
+              f"                 {row['mean']:.4f} +- {row['error']:.4f}")
+    kick = [np.sqrt(row["interval"] / (SLOWEST * FASTEST)) for row in rows]
+    mean, error = ([row[name] for row in rows] for name in ("mean", "error"))
+    line = extrapolated(kick, mean, error)
     print(f"zero: <ln r> = {line[0]:.4f} +- {line[1]:.4f} (exact {EXACT:.4f}),"
           f" e_c = {np.exp(-line[0]):.4f} +- {np.exp(-line[0]) * line[1]:.4f}"
           f" (exact {np.exp(-EXACT):.4f})")
-    if len(sys.argv) > 1:
-        draw(rows, line, sys.argv[1])
+    if figure:
+        draw(kick, mean, error, line, figure)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,8 @@ Seen from the platform the steps are kicks of the ball. Its bounces end where th
 the next kick: an inelastic collapse. For a platform that is struck at random velocities Majumdar &
 Kearney, Phys. Rev. E 76 (2007) 031130, find an exponential tail of the time until the collapse.
 
-Usage: scan_random_platform.py [FIGURE.png]
+Usage: scan_random_platform.py [FIGURE.png [RESULTS.json]]
+RESULTS.json keeps what was measured; where it exists, nothing is run.
 """
 
 import sys
@@ -63,17 +64,23 @@ def tail_rate(times, begin):
 
 
 def draw(scans, path):
-    """Share of balls that still bounce, against time over the mean of the tail."""
+    """Share of balls that still bounce, against the time since the median over that of the tail.
+
+    The line is the exponential whose rate tail_rate() finds beyond the median.
+    """
     with scanning.drawn(path) as axes:
-        for (restitution, (times, rate)), marker in zip(scans.items(), "osv"):
+        for (restitution, times), marker in zip(scans.items(), "osv"):
+            median = times[len(times) // 2]
             left = 1 - np.arange(1, len(times) + 1) / len(times)
-            axes.semilogy(times[:-1] * rate, left[:-1], marker, markersize=2,
-                          label=f"e = {restitution}")
-        ends = np.array([0, 6])
-        axes.semilogy(ends, np.exp(-ends), color="black", linewidth=0.8, label="exponential")
-        axes.set(xlabel="time x rate of the tail", ylabel="share that still bounces", xlim=(0, 7),
-                 ylim=(0.8 / RUNS, 1.1))
-        axes.legend(frameon=False)
+            since = (times - median) * tail_rate(times, median)[0]
+            axes.semilogy(since[:-1], left[:-1], marker, markersize=2,
+                          label=f"$e = {restitution}$")
+        ends = np.array([0, 5.5])
+        axes.semilogy(ends, np.exp(-ends) / 2, color="black", linewidth=0.8,
+                      label=r"$\frac{1}{2}\exp[-\theta\,(t-t_{1/2})]$, fitted from $t_{1/2}$ on")
+        axes.set(xlabel=r"$\theta\,(t-t_{1/2})$: time since the median, times the rate of the tail",
+                 ylabel="share that still bounces", ylim=(0.8 / RUNS, 1.1))
+        axes.legend()
 
 
 def line(restitution, times):
@@ -84,19 +91,26 @@ def line(restitution, times):
             + f"  {np.sum(np.isinf(times))}")
 
 
+def scan():
+    """Sorted times of each restitution, of runs and of balls that are computed without them."""
+    random = np.random.default_rng(3)
+    computed = [np.sort([computed_time(each, random) for _ in range(COMPUTED)])
+                for each in RESTITUTION]
+    runs = [times_until_collapse(each) for each in RESTITUTION]
+    return {"runs": [each.round(6).tolist() for each in runs],
+            "computed": [each.round(6).tolist() for each in computed]}
+
+
 def main():
     """Prints the tail of each restitution, run and computed, and draws the figure."""
-    scans, random = {}, np.random.default_rng(3)
+    figure, results = (*sys.argv[1:], None, None)[:2]
     print("e    balls  median  rate beyond it        beyond the upper quartile  not ended")
-    for restitution in RESTITUTION:
-        times = times_until_collapse(restitution)
-        scans[restitution] = times, tail_rate(times, times[RUNS // 2])[0]
-        print(line(restitution, times), flush=True)
-    for restitution in RESTITUTION:
-        print(line(restitution, np.sort([computed_time(restitution, random)
-                                         for _ in range(COMPUTED)])), "computed", flush=True)
-    if len(sys.argv) > 1:
-        draw(scans, sys.argv[1])
+    times = scanning.kept(results, scan)
+    for kind, remark in (("runs", ""), ("computed", " computed")):
+        for restitution, each in zip(RESTITUTION, times[kind]):
+            print(line(restitution, np.array(each)) + remark)
+    if figure:
+        draw(dict(zip(RESTITUTION, map(np.array, times["runs"]))), figure)
 
 
 if __name__ == "__main__":

@@ -93,8 +93,9 @@ def draw(scans, path):
         for (dimension, rates), marker in zip(scans.items(), "os"):
             axes.plot(RESTITUTION, rates, marker, markersize=4, label=f"{dimension}-D, measured")
         axes.axhline(0, color="grey", linewidth=0.6)
-        for place in (STABLE, LINE):
+        for place, text in ((STABLE, r"$9-4\sqrt{5}$ "), (LINE, r"$7-4\sqrt{3}$ ")):
             axes.axvline(place, color="grey", linewidth=0.8, linestyle="--")
+            axes.text(place, -0.3, text, ha="right", fontsize=8)
         axes.set(xlabel="restitution $e$", ylabel="growth per collision, ln $g$",
                  xlim=(0.049, 0.0725), ylim=(-0.35, 1.2))
         axes.legend(loc="upper left")

@@ -9,7 +9,8 @@ and gaps by b, the roots of x^2 - (1 + e) cos(t) x / 2 + e; sideways motion, whi
 spheres apart, is outrun if b < a^2 (docs/decisions/0019-certificates.md), that is for cos(t) >
 2 (e^(1/3) + e^(2/3)) / (1 + e). At t = 0 this is e < 9 - 4 sqrt(5) (Zhou & Kadanoff 1996).
 
-Usage: scan_three_spheres.py [FIGURE.png]
+Usage: scan_three_spheres.py [FIGURE.png [RESULTS.json]]
+RESULTS.json keeps what was found; where it exists, nothing is run.
 """
 
 import sys
@@ -119,42 +120,48 @@ def row(dimension, restitution, found):
             f" {max(each['triangular'] for each in found)}")
 
 
-def scan(dimension):
-    """Prints a row for each restitution; returns (restitution, bend, opens) of collapses."""
-    points, random = [], np.random.default_rng(dimension)
-    with tempfile.TemporaryDirectory() as folder:
-        for restitution in RESTITUTION:
-            found = [look(dimension, restitution, random, Path(folder) / "three.h5")
-                     for _ in range(STARTS)]
-            print(row(dimension, restitution, found), flush=True)
-            points += [(restitution, each["bend"], each["opens"]) for each in found
-                       if "order" in each]
-    return np.array(points)
+def scan():
+    """One dict for each dimension and restitution: `dimension`, `restitution` and `found`, what
+    became of each start."""
+    rows = []
+    for dimension in (2, 3):
+        random = np.random.default_rng(dimension)
+        with tempfile.TemporaryDirectory() as folder:
+            for restitution in RESTITUTION:
+                found = [look(dimension, restitution, random, Path(folder) / "three.h5")
+                         for _ in range(STARTS)]
+                rows.append({"dimension": dimension, "restitution": restitution, "found": found})
+    return rows
 
 
-def draw(scans, path):
+def draw(rows, path):
     """Bend at the collapse against e, with the largest that theory allows."""
     with scanning.drawn(path) as axes:
         fine = np.linspace(0.004, STABLE, 400)
         axes.plot(fine, np.degrees(largest_bend(fine)), color="black", linewidth=1,
                   label="largest bend that lasts")
-        for (dimension, points), marker, shift in zip(scans.items(), "ox", (-4e-4, 4e-4)):
-            lasting = points[points[:, 2] == 0]
-            axes.plot(lasting[:, 0] + shift, lasting[:, 1], marker, markersize=3, alpha=0.6,
-                      label=f"{dimension}-D, collapses")
+        for dimension, name, marker, shift in ((2, "disks", "o", -4e-4), (3, "spheres", "x", 4e-4)):
+            lasting = np.array([(row["restitution"] + shift, each["bend"])
+                                for row in rows if row["dimension"] == dimension
+                                for each in row["found"] if "order" in each and not each["opens"]])
+            axes.plot(*lasting.T, marker, markersize=3, alpha=0.6, label=f"collapses of {name}")
         axes.axhline(120, color="grey", linewidth=0.8, linestyle=":")
-        axes.text(0.0615, 117, "triangle: 120", ha="right", va="top", fontsize=8)
+        axes.text(0.005, 121, r"equilateral triangle, $120\degree$", va="bottom", fontsize=8)
         axes.axvline(STABLE, color="grey", linewidth=0.8, linestyle="--")
-        axes.set(xlabel="restitution $e$", ylabel="bend of the row at the end, degrees",
-                 xlim=(0.004, 0.064), ylim=(0, 130))
-        axes.legend(frameon=False)
+        axes.text(STABLE + 5e-4, 60, r"$9-4\sqrt{5}$", va="center", fontsize=8)
+        axes.set(xlabel="restitution $e$", ylabel="bend of the row at the end (degrees)",
+                 xlim=(0.004, 0.064), ylim=(0, 135))
+        axes.legend(loc="upper right", bbox_to_anchor=(0.85, 0.85))
 
 
 def main():
     """Prints what was found in two and three dimensions, and draws the figure."""
-    scans = {dimension: scan(dimension) for dimension in (2, 3)}
-    if len(sys.argv) > 1:
-        draw(scans, sys.argv[1])
+    figure, results = (*sys.argv[1:], None, None)[:2]
+    rows = scanning.kept(results, scan)
+    for each in rows:
+        print(row(each["dimension"], each["restitution"], each["found"]))
+    if figure:
+        draw(rows, figure)
 
 
 if __name__ == "__main__":

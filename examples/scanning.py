@@ -77,6 +77,20 @@ def _told(command, path, *words):
     return json.loads(done.stdout.splitlines()[-1])
 
 
+def kept(path, measured):
+    """What `measured()` returns, as JSON has it; read from a file where there is one.
+
+    path: of the file, written where it is missing; None: nothing is kept
+    """
+    path = Path(path) if path else None
+    if path and path.is_file():
+        return json.loads(path.read_text(encoding="utf-8"))
+    results = json.loads(json.dumps(measured()))
+    if path:
+        path.write_text(json.dumps(results) + "\n", encoding="utf-8")
+    return results
+
+
 @contextmanager
 def drawn(path, size=(WIDTH, HEIGHT), columns=1):
     """Axes to draw on in the look of all figures, which are then written to a file.

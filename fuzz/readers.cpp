@@ -12,6 +12,7 @@
 #include "io/case_tree.hpp"
 #include "io/derived.hpp"
 #include "io/info.hpp"
+#include "io/integrity.hpp"
 #include "io/output_reader.hpp"
 #include "io/rehearsal.hpp"
 #include "io/run_file.hpp"
@@ -125,6 +126,7 @@ void start_output(Bytes bytes) {
 
 void output_file(Bytes bytes) {
   const MemoryFile file(bytes);
+  attempt([&] { checked_integrity(file.path()); });
   attempt([&] {
     const OutputInfo info = read_output_info(file.path());
     to_text(info, file.path().string());

@@ -1,14 +1,6 @@
 // The verdict of a run in one sentence, and its evidence.
 import { count, grouped, pairName, short } from "./format.js";
 
-/** What the four verdicts mean, in a word. */
-export const TITLES = {
-  true: "True collapse",
-  temporary: "No arrest",
-  open: "Not decided",
-  none: "No collapse",
-};
-
 const unit = (run) => (run.values.drive === "shear" ? "strain" : "time");
 const moment = (run, time) =>
   time === null ? "" : `, ${unit(run)} ${short(time * scale(run), 6)}`;
@@ -24,9 +16,10 @@ export function arrestedPairs(run, most = 4) {
 
 const SENTENCES = {
   true: (run, { arrest }) =>
-    `True collapse: at collision ${grouped(arrest.collision)} time stands still at ` +
-    `${short(arrest.time * scale(run), 8)}${unit(run) === "strain" ? " (strain)" : ""}, and the ${arrestedPairs(run)} ` +
-    `${arrest.pairs.length === 1 ? "repeats" : "repeat"} for ever.`,
+    `Arrest: at collision ${grouped(arrest.collision)} this computation stands still at ` +
+    `${unit(run)} ${short(arrest.time * scale(run), 8)}, and the ${arrestedPairs(run)} ` +
+    `${arrest.pairs.length === 1 ? "repeats" : "repeat"} for ever. Whether the spheres had ` +
+    `collapsed is for adjudication to tell.`,
   temporary: (run, { collisions, separation: hits }) =>
     `No arrest: this computation met the separation criterion and left it again. It met it ` +
     `${count(hits.hits, "time")}, first at collision ${grouped(hits.first_collision)}, last at ` +

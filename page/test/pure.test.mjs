@@ -470,7 +470,7 @@ describe("what is said", () => {
     summary: { file: { complete: true }, collisions: 100, ...summary },
   });
 
-  test("names the pairs of a true collapse", () => {
+  test("names the pairs of an arrest, which is one of the computation", () => {
     const arrest = {
       met: true,
       collision: 90,
@@ -483,7 +483,8 @@ describe("what is said", () => {
     };
     assert.equal(
       sentence(run({ verdict: "true", arrest })),
-      "True collapse: at collision 90 time stands still at 2.5, and the pairs 1\u20132, 3\u20134 repeat for ever.",
+      "Arrest: at collision 90 this computation stands still at time 2.5, and the pairs 1\u20132, 3\u20134 " +
+        "repeat for ever. Whether the spheres had collapsed is for adjudication to tell.",
     );
   });
 

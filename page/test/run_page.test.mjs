@@ -62,7 +62,7 @@ async function drag(page, plot, from, to) {
   await drawn(page);
 }
 
-describe("the page of a true collapse", () => {
+describe("the page of an arrest", () => {
   let page, problems, file;
   before(async () => {
     file = workshop.page("collapse", "shear-e02");
@@ -84,7 +84,7 @@ describe("the page of a true collapse", () => {
 
   test("says in one sentence which pair repeats for ever", async () => {
     const text = await page.locator(".sentence").textContent();
-    assert.match(text, /True collapse/);
+    assert.match(text, /Arrest: at collision/);
     assert.match(text, /pair 2489\u20132526 repeats for ever/);
   });
 

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from .errors import InputError, OutputError
+from .version import __version__
 
 if TYPE_CHECKING:
     from .analysis.results import analyse
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
 
 __all__ = ["COLLISION_DTYPE", "Case", "InputError", "Output", "OutputError", "Run", "State",
            "analyse", "open"]
-__version__ = "0.1.0"  # of CMakeLists.txt
 
 _COMPILED = {"COLLISION_DTYPE": ".run", "Case": ".case", "Output": ".output", "Run": ".run",
              "State": ".run", "analyse": ".analysis.results", "open": ".output"}

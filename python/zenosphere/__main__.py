@@ -150,8 +150,9 @@ def _add_movie(commands):
     movie.add_argument("--colour", choices=COLOURINGS, default="speed",
                        help="of spheres: peculiar speed, or how many collisions ago each of them"
                        " collided last (default: speed)")
-    movie.add_argument("--fps", metavar="N", type=_positive, default=12,
-                       help="snapshots a second (default: 12)")
+    movie.add_argument("--fps", metavar="N", type=_positive,
+                       help="snapshots a second (default: 12, or fewer where the movie would last"
+                       " less than three seconds)")
     movie.add_argument("--every", metavar="N", type=_positive, default=1,
                        help="one snapshot of so many (default: 1)")
     movie.set_defaults(command=_movie)

@@ -43,6 +43,7 @@ class Run:
         NDArray[np.float64],
         NDArray[np.float64],
         NDArray[np.float64],
+        NDArray[np.int32] | None,
     ]: ...
     @property
     def is_over(self) -> bool: ...
@@ -59,7 +60,14 @@ class Output:
     def collisions(self) -> NDArray[np.void]: ...
     def snapshot(
         self, n: int
-    ) -> tuple[int, float, NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+    ) -> tuple[
+        int,
+        float,
+        NDArray[np.float64],
+        NDArray[np.float64],
+        NDArray[np.float64],
+        NDArray[np.int32] | None,
+    ]: ...
     @property
     def info(self) -> str: ...
     @property

@@ -70,11 +70,11 @@ def cluster(axes, run, which):
     spheres, places = found.sphere[first], plane_of(found.position[first])
     at, size = dict(zip(spheres.tolist(), places)), _name_size(places)
     for sphere, place in at.items():
-        inside = sphere in found.chain
-        axes.add_patch(Circle(place, 0.5, facecolor="#e8eef5" if inside else "white",
-                              edgecolor=INK, linewidth=0.7))
-        if size > LEAST_NAME:
-            axes.text(*place, str(sphere), fontsize=size, ha="center", va="center")
+        face = "#e8eef5" if sphere in found.chain else "white"
+        axes.add_patch(Circle(place, 0.5, facecolor=face, edgecolor=INK, linewidth=0.7))
+        if size > LEAST_NAME:  # on a ground that keeps the lines of the contacts off the number
+            axes.text(*place, str(sphere), fontsize=size, ha="center", va="center", zorder=4,
+                      bbox={"boxstyle": "round,pad=0.15", "facecolor": face, "edgecolor": "none"})
     for i, j, collisions in _contacts(found):
         if j in at:
             line = np.array([at[i], at[j]])

@@ -15,6 +15,7 @@ from .findings import finding_rows
 from .pictures import PAGE_WIDTH, Pictures, points
 
 LEAST_PANEL = 1.0  # inches, width of one of many
+SPREAD = 0.5  # of the step from point to point, over which the series lie side by side
 LENGTHS = 9  # run lengths of the figure, a factor of two apart
 
 
@@ -52,17 +53,17 @@ def _probabilities(part, pictures):
     x = np.array(x, dtype=float)
     figure, grid = figure_grid(pictures, _heading(part), 3, len(columns), (1.75, 1.55),
                                panels.series_handles(*part.axis("series")))
-    step = np.diff(np.sort(x)).min() * 0.12
+    step = np.diff(np.sort(x)).min()
     for (row, column), axes in np.ndenumerate(grid):
         met = part.counts.met[CRITERIA[row]]
         for number, style in enumerate(_styles(part)):
-            shift = step * (number - (met.shape[2] - 1) / 2)
+            shift = step * SPREAD * ((number + 0.5) / met.shape[2] - 0.5)
             panels.probability(axes, x, met[:, column, number],
                                part.counts.done[:, column, number], style, shift)
-        axes.set_xlim(x.min() - 4 * step, x.max() + 4 * step)
+        axes.set_xlim(x.min() - step / 2, x.max() + step / 2)
         axes.xaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 5, 10]))
         panels.outer_labels(axes, grid.shape, (row, column), panels.label(x_key),
-                      "P: " + panels.TITLES[CRITERIA[row]].replace(" ", "\n", 1))
+                      "$P$: " + panels.TITLES[CRITERIA[row]].replace(" ", "\n", 1))
         if row == 0 and y_key:
             axes.set_title(panels.said(y_key, columns[column]), fontsize=points(9))
     return figure
@@ -177,7 +178,7 @@ def figure_grid(pictures, heading, rows, columns, size, legend=(), **sharing):
     return figure, grid
 
 
-def _heading(part, remark="; bars: 95 %"):
+def _heading(part, remark="; bars: 95 %, side by side"):
     """How many runs are shown, by which overlap rule they left their hits, what is incomplete."""
     counts, most = part.counts, int(part.counts.done.max())
     runs, done, failed, pending = (int(getattr(counts, name).sum())

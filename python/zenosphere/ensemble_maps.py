@@ -16,11 +16,11 @@ from .proportions import fraction
 CELL_HEIGHT, LEAST_CELL = 0.27, 0.17  # inches: two decimals in 6 points are as wide
 LEAST_HEIGHT, SMALLEST_CELL = 0.11, 0.02  # inches: with a number, without
 MARGIN, TITLE = 0.8, 0.45  # inches: labels on the left and around a figure, title of a panel
-COLOUR_BAR, LEGEND = 0.5, 1.05  # inches, below the panels
+COLOUR_BAR, LEGEND_ROW = 0.5, 0.19  # inches, below the panels: of a bar, of two entries
 TICK_SIZE, TITLE_SIZE, LARGEST_NUMBER = 8, 9, 7  # points
 GLYPH = 0.5  # mean width of a letter over the font size
 FRAME = 0.03  # of a cell, around a bar
-NO_RUN, NOT_DONE = "#d9d9d9", "#d55e00"
+NO_RUN, NOT_DONE, INCOMPLETE = "#d9d9d9", "#d55e00", "0.6"
 
 # Okabe & Ito's palette; blue, darker the more the run shows of it, is a collapse of the spheres.
 FINDINGS = {
@@ -99,9 +99,11 @@ def finding_maps(part, heading, pictures):
     """
     row_key, rows = part.axis("series")
     most = -(-len(rows) // -(-len(rows) // 3))  # up to three side by side, evenly
-    plan = layout(part, pictures, len(rows), range(most, 0, -1), LEGEND)
+    entries = _findings_legend(part.counts)
+    legend = LEGEND_ROW * (1 + -(-len(entries) // 2))
+    plan = layout(part, pictures, len(rows), range(most, 0, -1), legend)
     whole = Figure(figsize=plan.size, layout="constrained")
-    above, below = whole.subfigures(2, 1, height_ratios=(plan.size[1] - LEGEND, LEGEND))
+    above, below = whole.subfigures(2, 1, height_ratios=(plan.size[1] - legend, legend))
     grid = above.subplots(*plan.shape, squeeze=False)
     above.suptitle(heading, fontsize=points(TITLE_SIZE), x=0.01, ha="left")
     for number, (place, axes) in enumerate(np.ndenumerate(grid)):
@@ -113,8 +115,7 @@ def finding_maps(part, heading, pictures):
         _label(axes, part, (plan.shape[0] - 1 if is_lowest else 0, place[1]), plan, "")
         if row_key:
             axes.set_title(panels.said(row_key, rows[number]), fontsize=points(TITLE_SIZE))
-    below.legend(handles=_findings_legend(part.counts), loc="center", ncol=2,
-                 fontsize=points(TICK_SIZE))
+    below.legend(handles=entries, loc="upper center", ncol=2, fontsize=points(TICK_SIZE))
     return whole
 
 
@@ -156,7 +157,7 @@ def _stacks(axes, counts, row, frame):
                  hatch=HATCHED.get(name), edgecolor="0.55")
         bottom = bottom + share
     for place in np.argwhere(counts.done[:, :, row] < counts.runs[:, :, row]):
-        _hatch(axes, place[::-1], "0.8")
+        _hatch(axes, place[::-1], INCOMPLETE)
     axes.set_xlim(0, done.shape[0])
     axes.set_ylim(0, done.shape[1])
 
@@ -168,13 +169,16 @@ def _hatch(axes, place, colour):
 
 
 def _findings_legend(counts):
-    """Patches of the kinds that occur; no hit and no run last."""
+    """Patches of the kinds that occur; no hit, no run and what is incomplete last."""
     shown = [Patch(facecolor=colour, label=text, hatch=HATCHED.get(name), edgecolor="0.55",
                    linewidth=0.5)
              for name, (colour, text) in FINDINGS.items() if counts.findings[name].any()]
     shown.append(Patch(facecolor="white", edgecolor="0.55", linewidth=0.5, label="no hit"))
     if not counts.done.all():
         shown.append(Patch(facecolor=NO_RUN, label="no run done"))
+    if (counts.done < counts.runs).any():
+        shown.append(Patch(facecolor="white", edgecolor=INCOMPLETE, hatch="///", linewidth=0.5,
+                           label="hatched: only some of the runs of this point are done"))
     return shown
 
 

@@ -23,7 +23,7 @@ NAMES = {  # symbol, and name with its unit
 }
 HOLLOW = "hollow: P does not cross 1/2 in the range"
 TITLES = {"separation": "separation criterion met", "arrest": "arrest criterion met",
-          "false positive": "met, and left or still met", "open": "of these, still met at the end"}
+          "false positive": "met, and left or still met", "open": "met, and still met at the end"}
 
 
 def symbol(key):

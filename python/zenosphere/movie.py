@@ -18,6 +18,7 @@ from .pictures import INK, STYLE
 
 WIDTH, HEIGHT = 7.2, 6.4  # inches; even numbers of pixels, which H.264 asks for
 DOTS_PER_INCH = 150
+LEAST_SECONDS, FRAMES_PER_SECOND = 3, 12  # of a movie, if it can be; of a long one
 MISTY = 0.45  # how far the colour of the farthest sphere is on its way to white
 GREY = (0.8, 0.8, 0.8, 1.0)  # a sphere that has not collided yet
 
@@ -67,10 +68,11 @@ class LastCollisions:
 COLOURINGS = {"speed": Speeds, "last": LastCollisions}
 
 
-def draw_movie(run, path, colour="speed", frames_per_second=12, every=1):
+def draw_movie(run, path, colour="speed", frames_per_second=None, every=1):
     """Writes a movie, or numbered PNGs into a folder where `path` has no suffix.
 
     run: RunFile with snapshots;  path: Path, .mp4 or no suffix;  colour: of COLOURINGS
+    frames_per_second: None: 12, or as few as make a movie of few frames last three seconds
     every: one snapshot of so many
     Returns what was written, and a line for those who asked for a movie that needs ffmpeg.
     Raises InputError, OutputError.
@@ -81,6 +83,8 @@ def draw_movie(run, path, colour="speed", frames_per_second=12, every=1):
     if not path.parent.is_dir():
         raise OutputError(f"{path}: there is no folder {path.parent}; create it or choose another")
     scene = _Scene(run, COLOURINGS[colour](run), every)
+    if frames_per_second is None:
+        frames_per_second = min(max(scene.count // LEAST_SECONDS, 1), FRAMES_PER_SECOND)
     if path.suffix and animation.writers.is_available("ffmpeg"):
         writer = animation.FFMpegWriter(fps=frames_per_second, codec="libx264",
                                         extra_args=["-pix_fmt", "yuv420p"])
@@ -132,6 +136,7 @@ class _Scene:
         cells = [self._cell(edges) for *_, edges in self._snapshots()]
         if not cells:
             raise InputError(f"{run.path}: holds no snapshot; run the case again")
+        self.count = len(cells)  # of frames
         self._view = View(cells[0].dimension, cells[0].edges[0, 0])
         self._norm = self._norm_of_all()
         with matplotlib.rc_context(STYLE):

@@ -45,9 +45,18 @@ class Output:
 
     @cached_property
     def file(self) -> dict[str, Any]:
-        """What the file says about itself: complete, program_version, snapshots, last_time, ..."""
+        """What the file says about itself: complete, program_version, snapshots, ..."""
         file: dict[str, Any] = json.loads(self._core.info)["file"]
         return file
+
+    @property
+    def adjudication(self) -> dict[str, Any] | None:
+        """What `zenosphere adjudicate` found and left in the file (docs/adjudication.md).
+
+        None where it has not been done, or the run has been made longer since.
+        """
+        adjudication: dict[str, Any] | None = self.file["adjudication"]
+        return adjudication
 
     @property
     def verdict(self) -> str | None:
@@ -124,11 +133,11 @@ class Snapshots(Sequence[State]):
         return (self._read(number) for number in range(len(self)))
 
     def _read(self, number: int) -> State:
-        collisions, time, positions, velocities, box_edges = self._core.snapshot(number)
+        collisions, time, positions, velocities, box_edges, images = self._core.snapshot(number)
         peculiar = velocities.copy()
         if self._shear_rate:  # the imposed profile (docs/file-format.md)
             peculiar[:, 0] -= self._shear_rate * (positions[:, 1] - box_edges[1, 1] / 2)
-        return State(collisions, time, positions, velocities, peculiar, box_edges)
+        return State(collisions, time, positions, velocities, peculiar, box_edges, images)
 
 
 def open(path: str | os.PathLike[str]) -> Output:  # noqa: A001

@@ -26,7 +26,7 @@ STYLE = {
     "axes.labelsize": "medium", "axes.linewidth": 0.7, "xtick.labelsize": 9.0,
     "ytick.labelsize": 9.0, "xtick.direction": "in", "ytick.direction": "in", "xtick.top": True,
     "ytick.right": True, "legend.fontsize": 8.5, "legend.frameon": False, "pdf.fonttype": 42,
-    "axes.prop_cycle": cycler(color=COLOURS),
+    "hatch.linewidth": 0.5, "axes.prop_cycle": cycler(color=COLOURS),
     "svg.hashsalt": "zenosphere",  # the same figure is the same file
 }
 UNDATED = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}

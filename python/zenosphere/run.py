@@ -40,6 +40,8 @@ class State:
     peculiar_velocities: (N, D), relative to the imposed shear profile, diameters/time
     box_edges: (D, D), diameters; the rows are the box vectors, the second with the Lees-Edwards
     offset
+    images: (N, D) int32, through how many boxes each sphere has come since the start, along the
+    box vectors; None in a file of a program that did not count them
     """
 
     collisions: int
@@ -48,6 +50,7 @@ class State:
     velocities: NDArray[np.float64]
     peculiar_velocities: NDArray[np.float64]
     box_edges: NDArray[np.float64]
+    images: NDArray[np.int32] | None = None
 
     def __eq__(self, other: object) -> bool:
         """Whether all numbers are equal."""
@@ -57,6 +60,19 @@ class State:
                    for field in fields(self))
 
     __hash__ = None  # type: ignore[assignment]  # arrays can be changed
+
+    @property
+    def unwrapped_positions(self) -> NDArray[np.float64]:
+        """Where the flights of each sphere have led it since the start, (N, D), diameters.
+
+        In the laboratory: under shear a sphere that has left through the upper face goes on above
+        it, with the flow that is there. Differences of two states are displacements.
+        Raises InputError where the images are not known.
+        """
+        if self.images is None:
+            raise InputError("unwrapped_positions: the file has no images of the spheres (its "
+                             "program did not count them); run the case again")
+        return self.positions + self.images @ self.box_edges
 
     @property
     def granular_temperature(self) -> float:

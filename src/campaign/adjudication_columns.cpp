@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <iterator>
 #include <string>
 
@@ -83,7 +84,7 @@ Cell collapse_time(const TimedAdjudication& timed) {
     return one.finding == Finding::singular || one.finding == Finding::proven;
   });
   if (first == all.end() || !first->collapse_time) return {};
-  return std::stod(*first->collapse_time);
+  return std::strtod(first->collapse_time->c_str(), nullptr);
 }
 
 constexpr std::array<AdjudicationColumn, 17> columns{{

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "io/file_kind.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -41,7 +42,9 @@ std::string advice(int code) {
 
 [[noreturn]] void fail(const std::string& name, sqlite3* database, int code) {
   const char* reason = database ? sqlite3_errmsg(database) : sqlite3_errstr(code);
-  throw OutputError(name + ": " + fmt::format(fmt::runtime(advice(code)), reason));
+  const std::string text = name + ": " + fmt::format(fmt::runtime(advice(code)), reason);
+  if ((code & 0xFF) == SQLITE_NOTADB) throw InputError(text);
+  throw OutputError(text);
 }
 
 }  // namespace
@@ -116,6 +119,10 @@ Database::Database(const std::filesystem::path& path, Access access) : name_(pat
   std::error_code ignored;
   if (access == Access::read && !std::filesystem::exists(path, ignored)) {
     throw InputError(name_ + ": does not exist; check the name of the store");
+  }
+  const FileKind kind = access == Access::read ? kind_of_file_at(path) : FileKind::other;
+  if (kind != FileKind::other && kind != FileKind::store) {
+    throw InputError(name_ + ": " + what_it_is(kind));
   }
   const int flags =
       access == Access::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "campaign/adjudication_columns.hpp"
@@ -61,6 +62,7 @@ std::optional<AdjudicationResult> adjudication_of(Case values,
     const Stopwatch stopwatch;
     TimedAdjudication timed{.found = adjudicate(values, limits)};
     timed.seconds = stopwatch.seconds();
+    if (timed.found.is_without_hits) throw std::logic_error(timed.found.sentence);  // there were
     if (!is_to_end) return AdjudicationResult{.cells = adjudication_cells(timed)};
   } catch (const std::exception& error) {
     // One that was interrupted before it saw a hit says that there are none.

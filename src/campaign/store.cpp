@@ -7,6 +7,7 @@
 #include "campaign/adjudication_columns.hpp"
 #include "campaign/grid_rows.hpp"
 #include "campaign/run_columns.hpp"
+#include "campaign/start_files.hpp"
 #include "campaign/stored_adjudication.hpp"
 #include "io/build_info.hpp"
 #include "model/errors.hpp"
@@ -133,6 +134,7 @@ SweepStore::SweepStore(const std::filesystem::path& path, const Sweep& sweep)
     create_tables(database_, sweep);
     if (sweep.boundary) create_boundary_table(database_, sweep);
     add_rows(database_, sweep, nullptr);
+    keep_start_files(database_, sweep);
     transaction.commit();
   } else {
     take_over(sweep);
@@ -154,6 +156,7 @@ void SweepStore::take_over(const Sweep& sweep) {
   Transaction transaction(database_);
   upgrade(database_, before);
   add_rows(database_, sweep, &before);
+  keep_start_files(database_, sweep);
   update_sweep(database_, sweep);
   transaction.commit();
 }

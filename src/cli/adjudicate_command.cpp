@@ -13,6 +13,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/values.hpp"
 #include "io/case_file.hpp"
+#include "io/integrity.hpp"
 #include "io/keep_adjudication.hpp"
 #include "io/output_reader.hpp"
 #include "model/errors.hpp"
@@ -36,6 +37,7 @@ struct Arguments {
 
 int adjudicate(const Arguments& arguments) {
   const bool is_output = is_hdf5_file(arguments.file);
+  if (is_output) checked_integrity(arguments.file);
   const Case values = is_output ? parse_case(read_output_info(arguments.file).resolved_case,
                                              arguments.file, arguments.overrides)
                                 : case_from(arguments.file, arguments.overrides);
@@ -49,7 +51,8 @@ int adjudicate(const Arguments& arguments) {
   }
   const Adjudication result = adjudicate(values, limits);
   if (limits.on_trial) clear_line();
-  const bool has_found = !result.was_interrupted || !result.approaches.empty();
+  const bool has_found =
+      !result.is_without_hits && (!result.was_interrupted || !result.approaches.empty());
   const bool is_of_file = is_output && arguments.overrides.empty();  // with --set: of another run
   if (is_of_file && has_found) keep_adjudication(arguments.file, to_json(result));
   if (!arguments.quiet) print(to_text(result));
@@ -79,6 +82,7 @@ void add_adjudicate(CLI::App& app, int& status) {
       .add_option_function<std::string>(
           "--up-to", read_precision,
           "highest precision to try; without it digits100, and more while digits run out")
+      ->check(such_as({"double", "extended", "quad", "digits100"}))
       ->type_name("PRECISION");
   command
       .add_option("--collisions", arguments->collisions,

@@ -7,12 +7,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/outputs.hpp"
 #include "cli/shipped_cases.hpp"
+#include "cli/values.hpp"
+#include "io/spelling.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -50,15 +54,30 @@ bool is_question(const ShippedCase& shipped) {
 
 bool is_example(const ShippedCase& shipped) { return !is_question(shipped); }
 
+/// The names that `new` or `examples` takes.
+std::vector<std::string> names_of(const std::string& command) {
+  const bool is_new = command == "new";
+  std::vector<std::string> names;
+  for (const ShippedCase& shipped : shipped_cases()) {
+    if (is_question(shipped) != is_new) continue;
+    names.emplace_back(shipped.name.substr(is_new ? folder_of_questions.size() : 0));
+  }
+  return names;
+}
+
 const ShippedCase& case_named(const std::string& name, const std::string& typed,
                               const std::string& command) {
   const auto shipped = shipped_cases();
   const auto found = std::find_if(shipped.begin(), shipped.end(),
                                   [&](const ShippedCase& one) { return one.name == name; });
   if (found != shipped.end()) return *found;
-  throw InputError(
-      fmt::format("zenosphere {}: no case is called {}; run zenosphere {} for the list", command,
-                  typed, command));
+  const std::vector<std::string> names = names_of(command);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto meant = nearest(typed, known);
+  throw InputError(fmt::format(
+      "zenosphere {}: no case is called {}; {}run zenosphere {} for the "
+      "list",
+      command, typed, meant ? fmt::format("did you mean {}? Else ", *meant) : "", command));
 }
 
 void write_case(const std::filesystem::path& file, std::string_view text, bool overwrite) {
@@ -131,6 +150,7 @@ void add_new(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("new", "write a commented case to start from");
   command.add_option("name", arguments->name, "the question; without it: the list of them")
+      ->check(such_as(names_of("new")))
       ->type_name("NAME");
   command.add_option("-o,--output", arguments->output, "file to write; default: NAME.toml")
       ->type_name("CASE.toml");
@@ -143,6 +163,7 @@ void add_examples(CLI::App& app, int& status) {
   CLI::App& command = *app.add_subcommand("examples", "list the shipped cases, or copy them");
   const auto name =
       command.add_option("name", arguments->name, "one to copy; without it: the list of them")
+          ->check(such_as(names_of("examples")))
           ->type_name("NAME");
   const auto output =
       command.add_option("-o,--output", arguments->output, "file to write; default: NAME.toml")

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -36,15 +37,50 @@ constexpr std::array examples{
     Example{"manual", "zenosphere manual run | man -l -"},
 };
 
+/// What the commands of the Python package take: their own --help tells it, a test compares both.
+constexpr std::array words_for_python{
+    Example{"figures",
+            "[OUT.h5]... [--run OUT.h5]... [--false-positive OUT.h5] [--true-collapse OUT.h5] "
+            "[-o DIR] [--format FORMATS] [--size WxH]"},
+    Example{"report-md", "OUT.h5... [-o PAGE.md] [--figures DIR]"},
+    Example{"cooling", "OUT.h5 [-o FIGURE.png] [--format FORMATS] [--size WxH]"},
+    Example{"movie", "OUT.h5 [-o MOVIE.mp4] [--colour COLOUR] [--fps N] [--every N]"},
+    Example{"ensemble",
+            "STORE.sqlite [-o DIR] [--x KEY] [--y KEY] [--format FORMATS] [--size WxH]"},
+};
+
+std::string_view text_for(std::span<const Example> texts, std::string_view command) {
+  const auto found = std::find_if(texts.begin(), texts.end(),
+                                  [&](const Example& text) { return text.first == command; });
+  return found == texts.end() ? std::string_view() : found->second;
+}
+
+struct ExitCode {
+  std::string_view line;
+  std::string_view commands;  ///< that can have it, with a blank around each; empty: all
+};
+constexpr std::array exit_codes{
+    ExitCode{"0 done, whatever the verdict", ""},
+    ExitCode{"1 internal error", ""},
+    ExitCode{"1 runs of the sweep have failed", " sweep "},
+    ExitCode{"2 wrong input", ""},
+    ExitCode{"2 the file contradicts itself", " verify "},
+    ExitCode{"3 collapsed, only with --fail-on-collapse", " run resume "},
+    ExitCode{"4 output could not be written",
+             " run resume adjudicate sweep sweep/csv export report new examples figures report-md "
+             "cooling movie ensemble "},
+    ExitCode{"130 interrupted, with everything saved", " run resume adjudicate sweep "},
+};
+
 /// The words that an option takes, from the name of its validator (cli/values.hpp).
-std::vector<std::string> choices_of(CLI::Option& option) {
-  std::vector<std::string> choices;
+void add_choices(CLI::Option& option, CommandOption& entry) {
   try {
-    std::istringstream words(option.get_validator(0)->get_name());
-    for (std::string word; std::getline(words, word, ',');) choices.push_back(word);
+    const std::string name = option.get_validator(0)->get_name();
+    std::istringstream words(name);
+    for (std::string word; std::getline(words, word, ',');) entry.choices.push_back(word);
+    entry.has_more_choices = name.ends_with(',');
   } catch (const CLI::OptionNotFound&) {  // no validator
   }
-  return choices;
 }
 
 CommandOption entry_of(CLI::Option& option) {
@@ -52,7 +88,7 @@ CommandOption entry_of(CLI::Option& option) {
   for (const std::string& name : option.get_snames()) entry.names.push_back('-' + name);
   for (const std::string& name : option.get_lnames()) entry.names.push_back("--" + name);
   if (option.get_type_size() != 0) entry.value = option.get_type_name();
-  entry.choices = choices_of(option);
+  add_choices(option, entry);
   return entry;
 }
 
@@ -60,6 +96,7 @@ void add_commands(CLI::App& parent, const std::string& prefix, std::vector<Comma
   for (CLI::App* command : parent.get_subcommands({})) {
     if (command->get_group().empty()) continue;
     CommandEntry entry{.name = prefix + command->get_name(), .meaning = command->get_description()};
+    entry.words = text_for(words_for_python, entry.name);
     entry.example = example_of(entry.name);
     for (CLI::Option* option : command->get_options()) {
       const bool is_argument = option->get_positional();
@@ -87,19 +124,19 @@ std::string joined(std::span<const std::string> words, std::string_view separato
   return text;
 }
 
-std::string_view example_of(std::string_view command) {
-  const auto found = std::find_if(examples.begin(), examples.end(),
-                                  [&](const Example& example) { return example.first == command; });
-  return found == examples.end() ? std::string_view() : found->second;
-}
+std::string_view example_of(std::string_view command) { return text_for(examples, command); }
 
-std::string_view exit_code_lines() {
-  return "0 done, whatever the verdict\n"
-         "1 internal error, or runs of a sweep that failed\n"
-         "2 wrong input\n"
-         "3 collapsed, only with --fail-on-collapse\n"
-         "4 output could not be written\n"
-         "130 interrupted, with everything saved\n";
+std::string exit_code_lines(std::string_view command) {
+  std::string name = ' ' + std::string(command);
+  std::replace(name.begin() + 1, name.end(), ' ', '/');
+  name += ' ';
+  std::string text;
+  for (const ExitCode& code : exit_codes) {
+    const bool is_possible =
+        command.empty() || code.commands.empty() || code.commands.find(name) != std::string::npos;
+    if (is_possible) text += std::string(code.line) + '\n';
+  }
+  return text;
 }
 
 }  // namespace zenosphere

@@ -17,6 +17,7 @@ struct CommandOption {
   std::string value{};               ///< what follows it: "OUT.h5"; empty for a flag
   std::string meaning{};
   std::vector<std::string> choices{};  ///< the words that it takes, where these are few
+  bool has_more_choices = false;       ///< and others of their kind
 };
 
 /// A command of the program.
@@ -25,6 +26,7 @@ struct CommandEntry {
   std::string meaning{};
   std::vector<CommandOption> arguments{};
   std::vector<CommandOption> options{};
+  std::string words{};  ///< what may follow the name, where Python reads it; options are then empty
   std::string example{};
 };
 
@@ -37,7 +39,9 @@ std::string joined(std::span<const std::string> words, std::string_view separato
 /// One line that shows a command at work; empty for an unknown one.
 std::string_view example_of(std::string_view command);
 
-/// The exit codes of all commands, a line each.
-std::string_view exit_code_lines();
+/// The exit codes that a command can have, a line each; of all commands where none is named.
+///
+/// \param command  "run"; for one below another both names, "sweep show"
+std::string exit_code_lines(std::string_view command = {});
 
 }  // namespace zenosphere

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/citation.hpp"
 #include "cli/command.hpp"
 #include "cli/command_table.hpp"
 #include "cli/console.hpp"
@@ -30,13 +31,29 @@ constexpr const char* overview =
     "zenosphere --help lists all commands, zenosphere COMMAND --help the options of one.\n";
 
 /// Below the help of each command: how it is used, and what it returns.
-void add_footers(CLI::App& app) {
+void add_footers(CLI::App& app, const std::string& prefix = "") {
   for (CLI::App* command : app.get_subcommands({})) {
-    const std::string_view example = example_of(command->get_name());
+    const std::string name = prefix + command->get_name();
+    const std::string_view example = example_of(name);
     if (!example.empty()) {
-      command->footer(fmt::format("Example:\n  {}\n\nExit codes:\n{}", example, exit_code_lines()));
+      command->footer(
+          fmt::format("Example:\n  {}\n\nExit codes:\n{}", example, exit_code_lines(name)));
     }
+    add_footers(*command, name + ' ');
   }
+}
+
+/// `--cite` and `--cite bibtex` end the program as `--version` does.
+void add_cite(CLI::App& app) {
+  const auto print_it = [](const std::string& format) {
+    if (format.empty()) throw CLI::CallForVersion(citation_text(), 0);
+    if (format == "bibtex") throw CLI::CallForVersion(citation_bibtex(), 0);
+    throw InputError(fmt::format("--cite {}: is no format (must be bibtex, or nothing)", format));
+  };
+  app.add_option_function<std::string>("--cite", print_it, "say how to cite this program")
+      ->expected(0, 1)
+      ->type_name("bibtex")
+      ->trigger_on_parse();
 }
 
 /// `--overwrite=no` is not what it seems.
@@ -76,6 +93,7 @@ int run_command_line(int argc, char** argv) {
                "zenosphere");
   app.set_version_flag("-V,--version", std::string("zenosphere ") + build_info::program_version +
                                            " (" + build_info::git_hash + ")");
+  add_cite(app);
   app.require_subcommand(1);
   int status = exit_code::internal_error;  // each command sets it
   add_run(app, status);

@@ -37,6 +37,15 @@ std::string bash_values(const CommandEntry& command) {
   return cases;
 }
 
+/// The words that its arguments can be, where these are few.
+std::vector<std::string> words_of_arguments(const CommandEntry& command) {
+  std::vector<std::string> words;
+  for (const CommandOption& argument : command.arguments) {
+    words.insert(words.end(), argument.choices.begin(), argument.choices.end());
+  }
+  return words;
+}
+
 std::string bash(std::span<const CommandEntry> commands) {
   std::string text =
       "# Completion of zenosphere for bash; written by `zenosphere completion bash`.\n"
@@ -53,6 +62,7 @@ std::string bash(std::span<const CommandEntry> commands) {
   for (const CommandEntry& command : commands) {
     std::string options = names_of_commands(commands, command.name + ' ');
     for (const CommandOption& option : command.options) options += ' ' + joined(option.names, " ");
+    for (const std::string& name : words_of_arguments(command)) options += ' ' + name;
     text += fmt::format("    {})\n", quoted(command.name));
     if (const std::string values = bash_values(command); !values.empty()) {
       text += "      case \"$before\" in\n" + values + "      esac\n";
@@ -107,7 +117,9 @@ std::string zsh(std::span<const CommandEntry> commands) {
   for (const CommandEntry& command : commands) {
     text += fmt::format("    {}) _arguments", quoted(command.name));
     for (const CommandOption& option : command.options) text += zsh_option(option);
-    text += " \\\n        '*:file:_files' ;;\n";
+    const auto words = words_of_arguments(command);
+    text += words.empty() ? " \\\n        '*:file:_files' ;;\n"
+                          : fmt::format(" \\\n        '*:word:({})' ;;\n", joined(words, " "));
   }
   return text + "  esac\n}\n_zenosphere \"$@\"\n";
 }
@@ -142,6 +154,10 @@ std::string fish(std::span<const CommandEntry> commands) {
                         command.name.substr(space == std::string::npos ? 0 : space + 1),
                         quoted(command.meaning));
     for (const CommandOption& option : command.options) text += fish_option(command, option);
+    if (const auto words = words_of_arguments(command); !words.empty()) {
+      text += fmt::format("complete -c zenosphere -n {} -f -a {}\n",
+                          quoted(fish_condition(command)), quoted(joined(words, " ")));
+    }
   }
   return text;
 }

@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/case_input.hpp"
@@ -11,6 +14,7 @@
 #include "io/case_file.hpp"
 #include "io/derived.hpp"
 #include "io/info.hpp"
+#include "io/integrity.hpp"
 
 namespace zenosphere {
 
@@ -41,7 +45,13 @@ int check(const Arguments& arguments) {
 }
 
 int info(const Arguments& arguments) {
-  const OutputInfo info = read_output_info(arguments.file);
+  constexpr std::uintmax_t most_read = 1 << 30;  // a second or a few
+  std::error_code ignored;
+  const auto bytes = std::filesystem::file_size(arguments.file, ignored);
+  const bool is_read = ignored || bytes <= most_read;
+  const Integrity integrity = is_read ? checked_integrity(arguments.file) : Integrity::unread;
+  OutputInfo info = read_output_info(arguments.file);
+  info.integrity = integrity;
   print(arguments.json ? to_json(info) + '\n' : to_text(info, arguments.file));
   return exit_code::done;
 }

@@ -47,13 +47,24 @@ std::string list_item(const CommandOption& option) {
   if (!option.value.empty()) head += (head.empty() ? "" : " ") + italic(option.value);
   std::string text = fmt::format(".TP\n{}\n{}\n", head, roff(option.meaning));
   if (!option.choices.empty()) {
-    text += fmt::format("One of: {}.\n", roff(joined(option.choices, ", ")));
+    text += fmt::format("{}: {}.\n", option.has_more_choices ? "For instance" : "One of",
+                        roff(joined(option.choices, ", ")));
   }
   return text;
 }
 
-std::string exit_status() {
-  return ".SH EXIT STATUS\n.nf\n" + roff(std::string(exit_code_lines())) + ".fi\n";
+std::string exit_status(const std::string& command = "") {
+  return ".SH EXIT STATUS\n.nf\n" + roff(exit_code_lines(command)) + ".fi\n";
+}
+
+std::string synopsis(const CommandEntry& command) {
+  std::string text = ".SH SYNOPSIS\n" + bold("zenosphere " + command.name);
+  if (!command.words.empty()) {
+    return text + ' ' + roff(command.words) + "\n.SH DESCRIPTION\n" +
+           bold("zenosphere " + command.name + " --help") + " tells what each option does.\n";
+  }
+  for (const CommandOption& argument : command.arguments) text += ' ' + italic(argument.value);
+  return text + (command.options.empty() ? "\n" : " [\\fIOPTION\\fR]...\n");
 }
 
 }  // namespace
@@ -74,10 +85,7 @@ std::string program_manual(std::span<const CommandEntry> commands) {
 }
 
 std::string command_manual(const CommandEntry& command) {
-  std::string text = heading(name_of_page(command), command.meaning);
-  text += ".SH SYNOPSIS\n" + bold("zenosphere " + command.name);
-  for (const CommandOption& argument : command.arguments) text += ' ' + italic(argument.value);
-  text += command.options.empty() ? "\n" : " [\\fIOPTION\\fR]...\n";
+  std::string text = heading(name_of_page(command), command.meaning) + synopsis(command);
   if (!command.arguments.empty()) text += ".SH ARGUMENTS\n";
   for (const CommandOption& argument : command.arguments) text += list_item(argument);
   if (!command.options.empty()) text += ".SH OPTIONS\n";
@@ -85,7 +93,7 @@ std::string command_manual(const CommandEntry& command) {
   if (!command.example.empty()) {
     text += ".SH EXAMPLE\n.nf\n" + roff(command.example) + "\n.fi\n";
   }
-  return text + exit_status() + ".SH SEE ALSO\n.BR zenosphere (1)\n";
+  return text + exit_status(command.name) + ".SH SEE ALSO\n.BR zenosphere (1)\n";
 }
 
 }  // namespace zenosphere

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "io/counted.hpp"
+
 namespace zenosphere {
 
 std::string duration_text(double seconds) {
@@ -30,10 +32,10 @@ std::string fitted_line(std::vector<LinePart> parts, std::size_t columns) {
 
 std::string progress_line(const Progress& progress, std::size_t columns) {
   std::vector<LinePart> parts{{fmt::format("{:>3.0f} %", 100 * progress.done), 0},
-                              {fmt::format("{} collisions", progress.collisions), 2},
+                              {counted(progress.collisions, "collision"), 2},
                               {fmt::format("time {:.6g}", progress.time), 5},
                               {fmt::format("{:.3g}/s", progress.collisions_per_second), 4},
-                              {fmt::format("{} hits", progress.separation_hits), 3}};
+                              {counted(progress.separation_hits, "hit"), 3}};
   if (progress.done > 0) {
     const double left = progress.wall_seconds * (1 - progress.done) / progress.done;
     parts.push_back({fmt::format("{} left", duration_text(left)), 1});

@@ -19,16 +19,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folder that holds the Python package: beside the program in a build, where it is installed, or
-/// around the program where pip has put it into the package. Empty where there is none: Python's
-/// own path may have it.
+/// Folder that holds the Python package: beside the program in a build, where it or Debian's
+/// package is installed, or around the program where pip has put it into the package. Empty where
+/// there is none: Python's own path may have it.
 fs::path python_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
   const fs::path here = program.parent_path();
-  for (const fs::path& folder : {here / "python", here.parent_path() / ZENOSPHERE_PYTHON_FOLDER,
-                                 here.parent_path().parent_path()}) {
+  const fs::path prefix = here.parent_path();
+  for (const fs::path& folder : {here / "python", prefix / ZENOSPHERE_PYTHON_FOLDER,
+                                 prefix / "lib/python3/dist-packages", prefix.parent_path()}) {
     if (fs::exists(folder / "zenosphere" / "__init__.py", error)) return folder.lexically_normal();
   }
   return {};

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -22,8 +23,9 @@ namespace {
 
 /// What the user typed.
 struct Arguments {
-  std::string file;
-  std::string page;
+  std::string file{};
+  std::optional<std::string> typed_page{};
+  std::string page{};
   bool overwrite = false;
   bool quiet = false;
 };
@@ -37,7 +39,13 @@ std::string written_text(const Arguments& arguments, bool is_sweep) {
                      arguments.file, bytes / 1e6);
 }
 
-int report(const Arguments& arguments) {
+/// run.html beside run.h5.
+std::string page_beside(const std::string& file) {
+  return std::filesystem::path(file).replace_extension(".html").string();
+}
+
+int report(Arguments& arguments) {
+  arguments.page = arguments.typed_page.value_or(page_beside(arguments.file));
   require_file_name(arguments.page, "a page is megabytes of HTML for a browser");
   for (const auto& shown : {std::filesystem::path(arguments.file), journal_of(arguments.file)}) {
     require_other_than(shown, arguments.page, "what it is to show");
@@ -58,8 +66,9 @@ void add_report(CLI::App& app, int& status) {
   command.add_option("file", arguments->file, "output file of a run, or store of a sweep")
       ->required()
       ->type_name("OUT.h5|STORE.sqlite");
-  command.add_option("-o,--output", arguments->page, "the page")
-      ->required()
+  command
+      .add_option("-o,--output", arguments->typed_page,
+                  "the page; without it beside the file, with the ending .html")
       ->type_name("PAGE.html");
   command.add_flag("--overwrite", arguments->overwrite, "replace an existing page");
   command.add_flag("--quiet", arguments->quiet, "print nothing");

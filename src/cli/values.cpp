@@ -70,6 +70,12 @@ CLI::Validator one_of(const std::string& option, std::vector<std::string> words)
   return validator.name(name);
 }
 
+CLI::Validator such_as(const std::vector<std::string>& words) {
+  std::string name;
+  for (const std::string& word : words) name += word + ',';
+  return CLI::Validator([](const std::string&) { return std::string(); }, "").name(name);
+}
+
 std::string alternatives(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t n = 0; n < words.size(); ++n) {

@@ -19,6 +19,9 @@ CLI::Validator positive_number(const std::string& option);
 /// Its name is the words with commas between them.
 CLI::Validator one_of(const std::string& option, std::vector<std::string> words);
 
+/// Refuses nothing: only tells completion and manual some of the words that are good.
+CLI::Validator such_as(const std::vector<std::string>& words);
+
 /// Whole numbers that a `double` holds, for counts that have no other limit.
 inline constexpr std::int64_t most_typed = std::int64_t{1} << 53;
 

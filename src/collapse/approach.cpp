@@ -23,8 +23,8 @@ struct Rise {
   bool is_over = false;
 };
 
-/// Parts a series into its rises: each ends where it has come down from its peak by `prominence`, or
-/// by a fifth of its height if that is more.
+/// Parts a series into its rises: each ends where it has come down from its peak by `prominence`,
+/// or by a fifth of its height if that is more.
 std::vector<Rise> rises_of(const std::vector<double>& depths, double prominence) {
   std::vector<Rise> rises;
   Rise rise;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,7 +13,8 @@ namespace zenosphere {
 /// as a geometric series.
 ///
 /// Needs six flights in a row whose ratios agree within a thousandth, each long enough for the
-/// clock to tell: a hundred thousand units in its last place. In a bouncing ball the ratio is the
+/// clock to tell: a hundred thousand units in its last place, which is that of a clock unit, or of
+/// the remainder where the clock counts in longer strides. In a bouncing ball the ratio is the
 /// restitution; in three balls on a line it is the eigenvalue of their map.
 ///
 /// Source: the sum of the series, as in Bernu & Mazighi, J. Phys. A 23 (1990) 5745.
@@ -28,7 +30,8 @@ class CollapseTime {
     const Real change = abs(Real(ratio - ratio_));
     flight_ = collision.flight;
     ratio_ = ratio;
-    const Real shortest = 100000 * std::numeric_limits<Real>::epsilon() * clock_unit_;
+    const Real place = std::max(clock_unit_, Real(abs(collision.time.remainder)));
+    const Real shortest = 100000 * std::numeric_limits<Real>::epsilon() * place;
     // First what seldom holds: the others do for every second flight, which no processor foresees.
     const bool is_alike = change <= ratio / 1000 && flight_ > shortest && ratio > 0 && ratio < 1;
     alike_ = is_alike ? alike_ + 1 : 0;

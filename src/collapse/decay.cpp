@@ -81,9 +81,9 @@ std::optional<Real> time_left(const Real& before, const Real& last) {
 template <class Real>
 class Cycles {
  public:
-  explicit Cycles(const Real& clock_unit)
+  explicit Cycles(const Real& reading)
       : least_gap_(100000 * std::numeric_limits<Real>::epsilon()),
-        least_flight_(least_gap_ * clock_unit) {}
+        least_flight_(least_gap_ * reading) {}
 
   void observe(const ClusterStep<Real>& step) {
     ++number_;
@@ -145,8 +145,8 @@ class Cycles {
 }  // namespace
 
 template <class Real>
-Decay decay_of(const std::vector<ClusterStep<Real>>& steps, const Real& clock_unit) {
-  Cycles<Real> cycles(clock_unit);
+Decay decay_of(const std::vector<ClusterStep<Real>>& steps, const Real& reading) {
+  Cycles<Real> cycles(reading);
   for (const auto& step : steps) cycles.observe(step);
   return cycles.decay();
 }

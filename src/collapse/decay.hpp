@@ -27,9 +27,10 @@ struct ClusterStep {
 /// Source: the factors are eigenvalues of the map of a cycle, Bernu & Mazighi, J. Phys. A 23 (1990)
 /// 5745; the sum is Aitken's extrapolation.
 ///
-/// \param clock_unit  of the simulation's clock: its rounding is that of a number of this size
+/// \param reading  the largest remainder of the simulation's clock, at least its unit: its rounding
+///                 is that of a number of this size
 template <class Real>
-Decay decay_of(const std::vector<ClusterStep<Real>>& steps, const Real& clock_unit);
+Decay decay_of(const std::vector<ClusterStep<Real>>& steps, const Real& reading);
 
 /// The factors of balls on a line that collapse, all odd pairs and all even pairs in turn; nothing
 /// where they do not collapse: restitution > tan^2[(pi/4)(1 - 2/N)].

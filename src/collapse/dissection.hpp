@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -78,15 +80,22 @@ struct ChainFactors {
 ///
 /// Each is measured where it is far above rounding, and absent where that never was.
 struct Decay {
-  double cycle = 0;       ///< collisions of the cluster until the same pair collides again, median
-  double resolution = 0;  ///< gaps above it count, diameters; flights above it x the clock unit
+  double cycle = 0;  ///< collisions of the cluster until the same pair collides again, median
+  /// Gaps above it count, diameters; flights above it x the clock unit, or what the clock stood at.
+  double resolution = 0;
   std::optional<DecayRate> gap;
   std::optional<DecayRate> speed;
   std::optional<DecayRate> flight;
   std::optional<ChainFactors> exact;    ///< of a straight chain of as many balls, if that collapses
   std::optional<double> collapse_time;  ///< extrapolated, since the start
   std::optional<double> collapse_time_after;  ///< the same, from the moment of the dissection on
-  double collapse_time_error = 0;             ///< the range of the last estimates
+  double collapse_time_error = 0;             ///< the range of the last estimates of the latter
+
+  /// Error of `collapse_time`: since the start, it is rounded besides.
+  double error_since_start() const {
+    return collapse_time_error +
+           std::numeric_limits<double>::epsilon() * std::abs(collapse_time.value_or(0));
+  }
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {

@@ -1,6 +1,7 @@
 #include "collapse/dissector.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "collapse/decay.hpp"
@@ -204,10 +205,15 @@ Cluster Dissector<Dim, Real>::cluster(std::int32_t sphere, const Contacts& conta
 /// Adds the collisions of the first cluster, and how they decay.
 template <int Dim, class Real>
 void Dissector<Dim, Real>::follow(const std::vector<Trace>& traces, Dissection& dissection) const {
+  using std::abs;
   ClusterSequence<Dim, Real> sequence(dissection.clusters.front(), traces.back().time, clock_unit_);
-  for (const Trace& trace : traces) sequence.observe(trace);
+  Real reading = clock_unit_;
+  for (const Trace& trace : traces) {
+    sequence.observe(trace);
+    reading = std::max(reading, Real(abs(trace.time.remainder)));
+  }
   dissection.collisions = sequence.rows();
-  dissection.decay = decay_of(sequence.steps(), clock_unit_);
+  dissection.decay = decay_of(sequence.steps(), reading);
   auto& decay = dissection.decay;
   const auto balls = static_cast<int>(dissection.clusters.front().chain.size());
   if (restitution_) decay.exact = chain_factors(balls, *restitution_);

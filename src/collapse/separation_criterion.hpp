@@ -24,16 +24,17 @@ class SeparationCriterion {
       : threshold_(threshold), clock_unit_(clock_unit) {}
 
   void observe(const Collision<Dim, Real>& collision) {
-    if (collision.number > 1) observe_next(collision.gap_before);
+    observe_next(collision.gap_before);
     collision_ = collision.number;
     time_ = exactly_since_start(collision.time, clock_unit_);
   }
 
   /// The gap, at the collision observed last, of the pair that collides next.
   ///
-  /// To be called where a run ends and that pair is known without its collision.
+  /// To be called where a run ends and that pair is known without its collision. Before the first
+  /// collision there is none at which the criterion could be met.
   void observe_next(const Real& gap) {
-    if (gap > threshold_) return;
+    if (collision_ == 0 || gap > threshold_) return;
     ++hits_;
     last_collision_ = collision_;
     const auto now = static_cast<double>(time_);

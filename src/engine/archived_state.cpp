@@ -11,6 +11,9 @@
 
 namespace zenosphere {
 
+/// Up to which every whole number of boxes is a `double`.
+constexpr double most_boxes = 0x1p53;
+
 template <int Dim, class Real>
 Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& acceleration,
                             ArchiveReader& archive)
@@ -21,6 +24,7 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& accele
   const auto whole_slide = archive.template next<std::int32_t>();
   require_archived(whole_slide >= 0 && whole_slide < box.cells()[0], "layers that left the box");
   cells_.slide_to(whole_slide);
+  read_images(archive);
   const bool was_wide = archive.template next<bool>();
   require_archived(settling_.is_wide || !was_wide, "balls as wide as there are none");
   if (!was_wide) settling_ = settling_in_crowd(box, count());
@@ -44,13 +48,32 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& accele
   }
 }
 
+/// Where the images of the box are, and those of each sphere.
+template <int Dim, class Real>
+void Spheres<Dim, Real>::read_images(ArchiveReader& archive) {
+  using std::abs;
+  const auto offset = archive.template next<Real>();
+  const bool may_be_displaced = Dim > 1 && !box_.is_closed(0) && !box_.is_closed(1);
+  require_archived(offset == 0 || (may_be_displaced && 2 * abs(offset) <= box_.sides()[0]),
+                   "images that there are not");
+  displace_images(offset);
+  boxes_ = archive.template next<LargeVector<Vec<Dim, double>>>();
+  require_archived(boxes_.size() == spheres_.size(), "boxes of another number of spheres");
+  for (const Vec<Dim, double>& boxes : boxes_) {
+    for (const double number : boxes.components) {
+      require_archived(std::abs(number) <= most_boxes, "a box that there is not");
+    }
+  }
+}
+
 /// Of each pair the sphere with the lower number has the other on its list in the archive; the
 /// lists are sorted, since their order means nothing.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   std::vector<Anchor> anchors;
   for (std::int32_t i = 0; i < count(); ++i) anchors.push_back(anchor(i));
-  archive(spheres_, anchors, std::int32_t{cells_.whole_slide()}, settling_.is_wide);
+  archive(spheres_, anchors, std::int32_t{cells_.whole_slide()}, offset_, boxes_,
+          settling_.is_wide);
   std::vector<std::uint32_t> later;
   for (std::int32_t i = 0; i < count(); ++i) {
     later.clear();

@@ -33,29 +33,45 @@ class MovingFrame {
     return velocity_ + acceleration_ * elapsed(since_, now, box_.clock_unit());
   }
 
-  /// How far it has come, wrapped into the box, diameters.
-  Vector place(const Instant<Real>& now) const {
+  /// A place as the box has it: along the axes that are free in [0, side), after so many boxes.
+  struct Place {
+    Vector in_box;  ///< diameters
+    Vec<Dim, double> boxes{};
+  };
+
+  /// How far it has come.
+  ///
+  /// \param offset  displacement of the upper image of the box along x, diameters
+  Place place(const Instant<Real>& now, const Real& offset) const {
     const Real time = elapsed(since_, now, box_.clock_unit());
-    return wrapped(place_ + velocity_ * time + acceleration_ * (time * time / 2));
+    Place place{place_ + velocity_ * time + acceleration_ * (time * time / 2), boxes_};
+    wrap(place, offset);
+    return place;
   }
 
-  /// A place along the periodic axes as the box has it, in [0, side).
-  Vector wrapped(Vector place) const {
+  /// Puts a place into the box along the axes that are free.
+  void wrap(Place& place, const Real& offset) const {
     using std::floor;
-    for (int axis = 0; axis < Dim; ++axis) {
+    Vector& in_box = place.in_box;
+    for (int axis = Dim - 1; axis >= 0; --axis) {  // y before x, along which it displaces images
       if (!is_free(axis)) continue;
       const Real& side = box_.sides()[axis];
-      place[axis] -= side * floor(static_cast<Real>(place[axis] / side));
-      if (!(place[axis] >= 0 && place[axis] < side)) place[axis] = 0;  // by rounding
+      const Real periods = floor(static_cast<Real>(in_box[axis] / side));
+      in_box[axis] -= side * periods;
+      place.boxes[axis] += static_cast<double>(periods);
+      if (axis == 1) in_box[0] -= periods * offset;
+      if (in_box[axis] >= side) place.boxes[axis] += 1;  // by rounding
+      if (!(in_box[axis] >= 0 && in_box[axis] < side)) in_box[axis] = 0;
     }
-    return place;
   }
 
   /// Moves faster from now on.
   ///
   /// \param change  zero along axes that are not free, diameters/time
-  void speed_up(const Vector& change, const Instant<Real>& now) {
-    place_ = place(now);
+  void speed_up(const Vector& change, const Instant<Real>& now, const Real& offset) {
+    const Place place = this->place(now, offset);
+    place_ = place.in_box;
+    boxes_ = place.boxes;
     velocity_ = velocity(now) + change;
     since_ = now;
     find_whether_it_moves();
@@ -63,10 +79,11 @@ class MovingFrame {
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.velocity_, self.place_, self.since_);
+    archive(self.velocity_, self.place_, self.boxes_, self.since_);
     using std::isfinite;
     for (int axis = 0; axis < Dim; ++axis) {
       require_archived(isfinite(self.velocity_[axis]) && isfinite(self.place_[axis]) &&
+                           std::isfinite(self.boxes_[axis]) &&
                            (self.is_free(axis) || self.velocity_[axis] == 0),
                        "a frame that there is not");
     }
@@ -80,8 +97,9 @@ class MovingFrame {
 
   ShearBox<Dim, Real> box_;
   Vector acceleration_;
-  Vector velocity_;  ///< at `since_`
-  Vector place_;     ///< likewise
+  Vector velocity_;         ///< at `since_`
+  Vector place_;            ///< likewise, in the box
+  Vec<Dim, double> boxes_;  ///< through which it had come by then
   Instant<Real> since_;
   bool moves_ = false;
 };

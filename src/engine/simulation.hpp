@@ -56,8 +56,9 @@ class Simulation {
  public:
   using Vector = Vec<Dim, Real>;
 
-  /// \param box           the box at strain 0
-  /// \param start         equally many positions and velocities, at least one
+  /// \param box           the box without its offset
+  /// \param start         equally many positions and velocities, at least one; its boxes count for
+  ///                      nothing, its offset must be 0 where the box is closed along x or y
   /// \param surroundings  with walls exactly where the box is closed
   Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
              const ContactRules<Real>& rules, const Surroundings<Dim, Real>& surroundings = {});
@@ -132,12 +133,14 @@ class Simulation {
   /// by a kick.
   bool is_at_rest() const { return at_rest_; }
 
-  /// Events since the last collision or kick: spheres that have only been settled.
+  /// Events since the last collision or kick, spheres that have only been settled: those that are
+  /// certain to come, too, where they are more than most_idle_events().
   std::int64_t idle_events() const { return idle_events_; }
   /// Whether these are so many that it is looked at what is ahead: of usual systems never.
   bool is_idle() const { return idle_events_ >= 2 * std::int64_t{spheres()} + 1024; }
   /// Whether spheres have flown so far since then that their places have no digit left.
   bool has_lost_places() const;
+  double time_since_collision() const;
 
   std::int32_t spheres() const { return spheres_.count(); }
   const ShearBox<Dim, Real>& box() const { return spheres_.box(); }
@@ -176,8 +179,7 @@ class Simulation {
     return frame_.moves() ? velocity + frame_.velocity(now_) : velocity;
   }
 
-  /// The state now, wrapped into the box, as a configuration at strain 0 describes it; under shear
-  /// the images of the box along y are displaced by lees_edwards_offset().
+  /// The state now, wrapped into the box.
   Configuration<Dim, Real> configuration() const;
 
   /// Displacement of the upper image of the box along x, in [-side/2, side/2), diameters.
@@ -228,6 +230,7 @@ class Simulation {
   bool only_cools() const;
   void look_around();
   void look_for_rest();
+  bool waits_in_vain() const;
   void leap();
   Real certainly_apart(const Real& least) const;
   void come_home();

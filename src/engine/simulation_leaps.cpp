@@ -4,11 +4,34 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/patience.hpp"
 #include "engine/simulation.hpp"
 #include "engine/time_apart.hpp"
+#include "engine/time_apart_sheared.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
+
+namespace {
+
+/// How sphere i sees sphere j in the laboratory.
+template <int Dim, class Real>
+ShearedFlight<Dim> flight_between(const Configuration<Dim, Real>& state, std::size_t i,
+                                  std::size_t j, const ShearBox<Dim, Real>& box) {
+  const Vec<Dim, Real> way = state.positions[j] - state.positions[i];
+  Vec<Dim, Real> velocity = state.velocities[j] - state.velocities[i];  // peculiar
+  velocity[0] += box.shear_rate() * way[1];
+  ShearedFlight<Dim> flight{};
+  for (int axis = 0; axis < Dim; ++axis) {
+    flight.way[axis] = static_cast<double>(way[axis]);
+    flight.velocity[axis] = static_cast<double>(velocity[axis]);
+    flight.sides[static_cast<std::size_t>(axis)] = static_cast<double>(box.sides()[axis]);
+  }
+  flight.slide = static_cast<double>(box.shear_rate() * box.sides()[1]);
+  return flight;
+}
+
+}  // namespace
 
 /// Lets nobody be settled again until shortly before two spheres can meet, or one a wall, where
 /// that is so far off that it is worth it.
@@ -18,7 +41,8 @@ namespace zenosphere {
 /// of its ball: so settle() knows that all have to come home.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::leap() {
-  constexpr int balls_each = 16;  // that are crossed, at least
+  constexpr int balls_each = 16;                // that are crossed, at least
+  if (spheres_.has_displaced_images()) return;  // time_apart() knows upright grids only
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Meeting<Real>& first = meetings(i).first();
     if (first.is_with_anybody() && is_stale(first)) predict(i);
@@ -75,7 +99,7 @@ Real Simulation<Dim, Real>::certainly_apart(const Real& least) const {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::come_home() {
   if (!is_idle() || box().is_sheared()) return;
-  for (std::int32_t i = 0; i < spheres(); ++i) spheres_.bring_back(spheres_[i], now_.remainder);
+  for (std::int32_t i = 0; i < spheres(); ++i) spheres_.bring_back(i, now_.remainder);
   for (std::int32_t i = 0; i < spheres(); ++i) {
     spheres_.settle(i, now_.remainder, now_.remainder);
   }
@@ -84,6 +108,30 @@ void Simulation<Dim, Real>::come_home() {
     if (surroundings_.walls) spheres_.advance(spheres_[i], now_.remainder);
     look_ahead(i);
     schedule(i);
+  }
+}
+
+/// Whether it is certain, under shear, that nobody meets before as many events have come as a run
+/// waits for.
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::waits_in_vain() const {
+  if constexpr (Dim == 1) {
+    return false;
+  } else {
+    if (!box().is_sheared() || at_rest_) return false;
+    constexpr double margin = 1.25;  // events come about as often as before
+    const auto waited = static_cast<double>(elapsed(last_change_, now_, box().clock_unit()));
+    const double until = margin * waited * static_cast<double>(most_idle_events(spheres())) /
+                         static_cast<double>(idle_events_);
+    const Configuration<Dim, Real> state = configuration();
+    for (std::size_t i = 0; i < state.positions.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        ShearedFlight<Dim> flight = flight_between(state, i, j, box());
+        flight.offset = static_cast<double>(lees_edwards_offset());
+        if (time_apart_sheared(flight, until) < until) return false;
+      }
+    }
+    return true;
   }
 }
 
@@ -106,14 +154,21 @@ std::int32_t Simulation<Dim, Real>::fastest() const {
 }
 
 template <int Dim, class Real>
+double Simulation<Dim, Real>::time_since_collision() const {
+  return static_cast<double>(elapsed(last_collision_, now_, box().clock_unit()));
+}
+
+template <int Dim, class Real>
 bool Simulation<Dim, Real>::has_lost_places() const {
   const Real flown = speed(fastest()) * elapsed(last_change_, now_, box().clock_unit());
   return flown * std::numeric_limits<Real>::epsilon() > 1;
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)           \
-  template void Simulation<Dim, Real>::leap();      \
-  template void Simulation<Dim, Real>::come_home(); \
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                              \
+  template void Simulation<Dim, Real>::leap();                         \
+  template void Simulation<Dim, Real>::come_home();                    \
+  template bool Simulation<Dim, Real>::waits_in_vain() const;          \
+  template double Simulation<Dim, Real>::time_since_collision() const; \
   template bool Simulation<Dim, Real>::has_lost_places() const;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

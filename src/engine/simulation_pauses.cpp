@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/patience.hpp"
 #include "engine/simulation.hpp"
 #include "model/instantiate.hpp"
 
@@ -40,7 +41,11 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::look_around() {
   const auto events = static_cast<std::uint64_t>(idle_events_);
-  if (std::has_single_bit(events)) look_for_rest();
+  if (std::has_single_bit(events)) {
+    look_for_rest();
+    if (spheres() <= most_in_pairs && waits_in_vain())
+      idle_events_ = most_idle_events(spheres()) + 1;
+  }
   const auto pairs = static_cast<std::uint64_t>(spheres()) * static_cast<std::uint64_t>(spheres());
   const std::uint64_t between = std::bit_ceil(std::max<std::uint64_t>(pairs, 1024));
   const bool are_few = spheres() <= most_in_pairs;
@@ -97,7 +102,7 @@ Real Simulation<Dim, Real>::fastest_beside(const Vector& velocity) const {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::move_frame(const Vector& change) {
   come_home();
-  frame_.speed_up(change, now_);
+  frame_.speed_up(change, now_, lees_edwards_offset());
   for (std::int32_t i = 0; i < spheres(); ++i) {
     spheres_.advance(spheres_[i], now_.remainder);
     spheres_[i].velocity -= change;
@@ -121,7 +126,8 @@ bool Simulation<Dim, Real>::nobody_meets() const {
 
 /// Whether two spheres that fly straight may meet in some image: not where they are apart across
 /// the axes along which they move, for good. Along several axes at once they come close one day.
-/// Under shear all images but one move along x.
+/// Under shear all images but one move along x, and there they may lie anywhere in a box whose
+/// images are displaced.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::may_meet(std::int32_t i, std::int32_t j) const {
   const Vector velocity = spheres_[j].velocity - spheres_[i].velocity;
@@ -131,7 +137,8 @@ bool Simulation<Dim, Real>::may_meet(std::int32_t i, std::int32_t j) const {
                                               spheres_.position_at(spheres_[i], now_.remainder),
                                           now_.remainder);
   for (int axis = 0; axis < Dim; ++axis) {
-    if (velocity[axis] != 0 || (axis == 0 && box().is_sheared())) across[axis] = 0;
+    const bool is_displaced = box().is_sheared() || spheres_.has_displaced_images();
+    if (velocity[axis] != 0 || (axis == 0 && is_displaced)) across[axis] = 0;
   }
   const Real margin = approach_margin;
   return dot(across, across) < 1 + margin;
@@ -139,7 +146,8 @@ bool Simulation<Dim, Real>::may_meet(std::int32_t i, std::int32_t j) const {
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                        \
   template void Simulation<Dim, Real>::kick(const std::vector<Vec<Dim, Real>>&); \
-  template void Simulation<Dim, Real>::look_around();
+  template void Simulation<Dim, Real>::look_around();                            \
+  template bool Simulation<Dim, Real>::move_as_one() const;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

@@ -13,7 +13,8 @@ namespace zenosphere {
 ///
 /// Cells are numbered along x first. A column of layer k + 1 that starts above column c of layer k
 /// has slid by whole cells and a fraction after a while; the whole cells are kept here, the
-/// fraction is the remainder of the clock. Nothing in here knows about lengths or times.
+/// fraction is the remainder of the clock. The images of the box along y may have been displaced at
+/// the start already. Nothing in here knows about lengths or times.
 template <int Dim>
 class SlidingCells {
  public:
@@ -83,6 +84,7 @@ class SlidingCells {
       // A layer that has slid to the right is met at a column further left.
       const auto [from, to] = reach[static_cast<std::size_t>(layers + 1)];
       int column = home[0] - layers * whole_slide_ + from;
+      if constexpr (Dim > 1) column -= periods[y] * whole_offset_;
       for (; column < 0; column += side) --periods[0];
       for (; column >= side; column -= side) ++periods[0];
       for (int step = from; step <= to; ++periods[0], column = 0) {
@@ -105,6 +107,11 @@ class SlidingCells {
   int whole_slide() const { return whole_slide_; }
   void slide_to(int whole_cells) { whole_slide_ = whole_cells; }
 
+  /// Whole cells by which the upper image of the box was displaced at the start; at most half the
+  /// cells along x either way.
+  int whole_offset() const { return whole_offset_; }
+  void displace_images(int whole_cells) { whole_offset_ = whole_cells; }
+
   /// Every layer has slid by one more whole cell against the layer below it.
   void slide_by_one_cell() { whole_slide_ = whole_slide_ + 1 == cells_[0] ? 0 : whole_slide_ + 1; }
 
@@ -119,6 +126,7 @@ class SlidingCells {
   std::array<std::int32_t, Dim> strides_{};
   std::array<double, Dim> per_stride_{};
   int whole_slide_ = 0;
+  int whole_offset_ = 0;
   std::int32_t count_ = 1;
 };
 

@@ -16,6 +16,7 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
                             const Vector& acceleration)
     : Spheres(LargeVector<Sphere>(start.positions.size()), box, acceleration) {
   assert(start.positions.size() == start.velocities.size());
+  displace_images(start.offset);
   place(start);
   start = {};  // whose memory the lists can use
   for (std::int32_t i = 0; i < count(); ++i) {
@@ -40,12 +41,29 @@ Spheres<Dim, Real>::Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Rea
       lanes_are_wide_(!falls_ && has_wide_lanes()),
       settling_(settling_in(box, static_cast<std::int32_t>(spheres.size()))),
       spheres_(std::move(spheres)),
+      boxes_(spheres_.size()),
       lists_(count(), settling_.neighbours),
       anchor_cells_(cells_.count()) {
   for (int axis = 0; axis < Dim; ++axis) {
     cell_grains_[static_cast<std::size_t>(axis)] =
         static_cast<int>(static_cast<double>(box_.cell_width()[axis]) / settling_.grain + 0.5);
   }
+  find_images();
+}
+
+/// Where the images of the box along y are at the start.
+///
+/// \param offset  0 in one dimension, and where the box is closed along x or y
+template <int Dim, class Real>
+void Spheres<Dim, Real>::displace_images(const Real& offset) {
+  using std::floor;
+  if (offset == 0) return;
+  assert(Dim > 1 && !box_.is_closed(0) && !box_.is_closed(1));
+  offset_ = offset;
+  const Real columns = offset / box_.cell_width()[0];
+  const Real whole = floor(columns);
+  cells_.displace_images(static_cast<int>(whole));
+  odd_offset_ = static_cast<double>(Real(columns - whole));
   find_images();
 }
 
@@ -87,7 +105,9 @@ void Spheres<Dim, Real>::find_images() {
           way.periods(axis) * box_.cells()[static_cast<std::size_t>(axis)];
     }
     lag[0] += way.layers() * cells_.whole_slide();
-    images_[static_cast<std::size_t>(code)] = box_.image(lag, way.layers(), 0);
+    Image<Dim, Real>& image = images_[static_cast<std::size_t>(code)];
+    image = box_.image(lag, way.layers(), 0);
+    if constexpr (Dim > 1) image.position[0] += way.periods(1) * offset_;
   }
 }
 
@@ -140,8 +160,7 @@ Vec<Dim, Real> Spheres<Dim, Real>::shortest_image(Vector way, const Real& when) 
     const Real periods = floor(static_cast<Real>(way[axis] / side + Real(0.5)));
     way[axis] -= periods * side;
     if (axis == 1) {
-      const Real slide = cells_.whole_slide() * box_.cell_width()[0] + box_.slide_speed() * when;
-      way[0] -= periods * (box_.cells()[1] * slide);
+      way[0] -= periods * turned_offset(when);
     }
   }
   return way;
@@ -170,7 +189,7 @@ Real Spheres<Dim, Real>::lees_edwards_offset(double units, const Real& when) con
   if constexpr (Dim == 1) return 0;
   using std::floor;
   const Real& side = box_.sides()[0];
-  const Real offset = box_.cells()[Dim > 1 ? 1 : 0] * slide(units, when);
+  const Real offset = box_.cells()[Dim > 1 ? 1 : 0] * slide(units, when) + offset_;
   return offset - side * floor(static_cast<Real>(offset / side + Real(0.5)));
 }
 
@@ -184,36 +203,65 @@ Real Spheres<Dim, Real>::slide(double units, const Real& when) const {
 }
 
 /// Wraps into the box. Along the gradient and between walls only rounding can lead out, and a
-/// wrap would be wrong: such a place is put on the face.
+/// wrap would be wrong: such a place is put on the face. Adds the boxes that are taken off.
 template <int Dim, class Real>
-void Spheres<Dim, Real>::wrap(Vector& position) const {
+void Spheres<Dim, Real>::wrap(Vector& position, Vec<Dim, double>& boxes) const {
   using std::floor;
   for (int axis = 0; axis < Dim; ++axis) {
     const Real& side = box_.sides()[axis];
     const Real below = side * (1 - std::numeric_limits<Real>::epsilon());
     if (axis != 1 && !box_.is_closed(axis)) {
-      position[axis] -= side * floor(static_cast<Real>(position[axis] / side));
+      const Real periods = floor(static_cast<Real>(position[axis] / side));
+      position[axis] -= side * periods;
+      boxes[axis] += static_cast<double>(periods);
     }
     position[axis] = std::clamp(position[axis], Real(0), below);
   }
 }
 
+/// The Lees-Edwards offset as the images of the cells have it: not reduced, diameters.
+template <int Dim, class Real>
+Real Spheres<Dim, Real>::turned_offset(const Real& when) const {
+  const Real slide = cells_.whole_slide() * box_.cell_width()[0] + box_.slide_speed() * when;
+  return box_.cells()[Dim > 1 ? 1 : 0] * slide + offset_;
+}
+
+/// Boxes along x by which a place is further on that slide() puts in a layer: the layers have slid
+/// by more than it tells, against each other and, with the middle of the box at rest, all of them.
+///
+/// \param layer  from 0
+template <int Dim, class Real>
+double Spheres<Dim, Real>::boxes_slid(double layer, double units) const {
+  if (!box_.is_sheared()) return 0;
+  const double turns = std::floor(units / box_.cells()[0]);
+  const double odd = std::fmod(turns, 2);  // is in slide() already, but not in what turn() counts
+  return (1 - box_.cells()[Dim > 1 ? 1 : 0]) * (turns - odd) / 2 - layer * odd;
+}
+
 template <int Dim, class Real>
 Configuration<Dim, Real> Spheres<Dim, Real>::configuration(double units, const Real& when) const {
   Configuration<Dim, Real> state;
+  state.offset = lees_edwards_offset(units, when);
   state.positions.reserve(spheres_.size());
   state.velocities.reserve(spheres_.size());
-  for (Sphere sphere : spheres_) {
+  state.boxes.assign(boxes_.begin(), boxes_.end());
+  const Real unreduced = Dim > 1 ? turned_offset(when) : Real(0);
+  const auto offsets =
+      std::round(static_cast<double>(Real(unreduced - state.offset) / box_.sides()[0]));
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    Sphere sphere = spheres_[i];
+    Vec<Dim, double>& boxes = state.boxes[i];
     advance(sphere, when);
-    if (!box_.is_sheared()) bring_back(sphere, when);
-    go_home(sphere, when, {});
+    if (!box_.is_sheared()) boxes += brought_back(sphere, when);
+    boxes += periods_of(go_home(sphere, when, {}));
     Vector position = sphere.position;
     if constexpr (Dim > 1) {
       // The frame of layer k moves with its mid-plane; the middle of the box is at rest.
-      const Real layer = cells_.coordinates(sphere.cell)[1] + Real(0.5) - box_.cells()[1] / Real(2);
-      position[0] += layer * slide(units, when);
+      const int layer = cells_.coordinates(sphere.cell)[1];
+      position[0] += (layer + Real(0.5) - box_.cells()[1] / Real(2)) * slide(units, when);
+      boxes[0] += boxes_slid(layer, units) + boxes[1] * offsets;
     }
-    wrap(position);
+    wrap(position, boxes);
     state.positions.push_back(position);
     state.velocities.push_back(peculiar_velocity(sphere, when));
   }

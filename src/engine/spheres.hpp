@@ -45,7 +45,8 @@ class Spheres {
   using Vector = Vec<Dim, Real>;
   using Sphere = zenosphere::Sphere<Dim, Real>;
 
-  /// Settles all spheres at remainder 0.
+  /// Settles all spheres at remainder 0. The offset of the start stays with the images of the box;
+  /// the layers slide from 0 on, so that places are kept as they are given.
   ///
   /// \param acceleration  of every sphere, diameters/time^2
   Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
@@ -158,7 +159,7 @@ class Spheres {
 
   /// Gives a sphere the image of the box to which it has come at `when`, however far that is. Not
   /// under shear. It stays stored for the time for which it was, and has to be settled then.
-  void bring_back(Sphere& sphere, const Real& when) const;
+  void bring_back(std::int32_t i, const Real& when) { boxes(i) += brought_back((*this)[i], when); }
 
   /// Whether more spheres are near one than lists should hold that are as wide as the cells.
   bool is_crowded() const { return is_crowded_; }
@@ -179,7 +180,7 @@ class Spheres {
     return velocity;
   }
 
-  /// The state, wrapped into the box, as a configuration at strain 0 describes it.
+  /// The state, wrapped into the box.
   ///
   /// \param units  whole clock units since the start
   Configuration<Dim, Real> configuration(double units, const Real& when) const;
@@ -187,17 +188,28 @@ class Spheres {
   /// Displacement of the upper image of the box along x, in [-side/2, side/2), diameters.
   Real lees_edwards_offset(double units, const Real& when) const;
 
+  /// Whether the images along y were displaced at the start.
+  bool has_displaced_images() const { return offset_ != 0; }
+
  private:
+  /// Cells by which the rows below and above are displaced against a layer, beside whole ones.
+  struct Slides {
+    double below;
+    double above;
+  };
+
   Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Real>& box, const Vector& acceleration);
+  void displace_images(const Real& offset);
   void place(const Configuration<Dim, Real>& start);
   Vector way_to_anchor(const Vector& velocity, const Real& flight) const;
   void drop_anchor(std::int32_t i, const Real& when, const Vector& ahead);
   Vector corner(std::int32_t cell) const;
   bool is_crowd_in_a_cell() const;
-  bool go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
+  Way go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
+  Vec<Dim, double> brought_back(Sphere& sphere, const Real& when) const;
   std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when);
-  double slid_columns(const Real& when) const;
-  typename SlidingCells<Dim>::Reach columns_within_reach(double place, double slid) const;
+  Slides slides(const Steps<Dim>& home, const Real& when) const;
+  typename SlidingCells<Dim>::Reach columns_within_reach(double place, const Slides& slid) const;
   void find_images();
   Real time_in_ball(const Vector& away, const Vector& velocity) const;
   Real time_in_cube(const Vector& away, const Vector& velocity) const;
@@ -206,6 +218,7 @@ class Spheres {
   Neighbour nearest_image(std::int32_t i, std::int32_t j, const Real& when) const;
   Real square(std::int32_t i, Neighbour neighbour, const Real& when) const;
   void require_possible(const Sphere& sphere) const;
+  void read_images(ArchiveReader& archive);
   Viewpoint<Dim, Real> viewpoint(std::int32_t i, const Real& when) const {
     return {position_at((*this)[i], when), velocity_at((*this)[i], when), when};
   }
@@ -231,7 +244,16 @@ class Spheres {
   }
   Real profile_in_layer(const Sphere& sphere, const Real& when) const;
   Real slide(double units, const Real& when) const;
-  void wrap(Vector& position) const;
+  void turn();
+  void wrap(Vector& position, Vec<Dim, double>& boxes) const;
+  Real turned_offset(const Real& when) const;
+  double boxes_slid(double layer, double units) const;
+  static Vec<Dim, double> periods_of(Way way) {
+    Vec<Dim, double> periods;
+    for (int axis = 0; axis < Dim; ++axis) periods[axis] = way.periods(axis);
+    return periods;
+  }
+  Vec<Dim, double>& boxes(std::int32_t i) { return boxes_[static_cast<std::size_t>(i)]; }
 
   Anchor& anchor(std::int32_t i) { return lists_.anchor(i); }
   const Anchor& anchor(std::int32_t i) const { return lists_.anchor(i); }
@@ -244,7 +266,10 @@ class Spheres {
   Settling settling_;
   bool is_crowded_ = false;             ///< and the balls are still wide
   std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded
+  Real offset_ = 0;                     ///< of the upper image of the box at the start, diameters
+  double odd_offset_ = 0;               ///< of it the part beside whole cells, in cells
   LargeVector<Sphere> spheres_;
+  LargeVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
   NeighbourLists lists_;
   AnchorCells anchor_cells_;
   std::vector<Neighbour> nearby_;               ///< scratch

@@ -23,15 +23,24 @@ bool Spheres<Dim, Real>::is_far_out(std::int32_t i, const Real& when) const {
   return dot(away, away) > limit * limit;
 }
 
+/// \return  through how many boxes it has come
 template <int Dim, class Real>
-void Spheres<Dim, Real>::bring_back(Sphere& sphere, const Real& when) const {
+Vec<Dim, double> Spheres<Dim, Real>::brought_back(Sphere& sphere, const Real& when) const {
   using std::floor;
   const Vector place = position_at(sphere, when);
-  for (int axis = 0; axis < Dim; ++axis) {
+  Vec<Dim, double> boxes;
+  Real displaced = 0;
+  for (int axis = Dim - 1; axis >= 0; --axis) {  // y before x, along which it displaces the images
     const Real& side = box_.sides()[axis];
-    if (box_.is_closed(axis) || (place[axis] > -side && place[axis] < 2 * side)) continue;
-    sphere.position[axis] -= side * floor(static_cast<Real>(place[axis] / side));
+    const Real here = axis == 0 ? Real(place[0] - displaced) : place[axis];
+    if (box_.is_closed(axis) || (here > -side && here < 2 * side)) continue;
+    const Real periods = floor(static_cast<Real>(here / side));
+    boxes[axis] = static_cast<double>(periods);
+    sphere.position[axis] -= side * periods;
+    if (axis == 1) displaced = periods * offset_;
   }
+  sphere.position[0] -= displaced;
+  return boxes;
 }
 
 template <int Dim, class Real>
@@ -58,11 +67,11 @@ void Spheres<Dim, Real>::settle_in_crowd(const Real& when) {
   for (std::int32_t i = 0; i < count(); ++i) settle(i, when, when);
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                          \
-  template bool Spheres<Dim, Real>::is_far_out(std::int32_t, const Real&) const;   \
-  template void Spheres<Dim, Real>::bring_back(Sphere&, const Real&) const;        \
-  template bool Spheres<Dim, Real>::is_crowd_in_a_cell() const;                    \
-  template bool Spheres<Dim, Real>::share_layer(std::int32_t, std::int32_t) const; \
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                 \
+  template bool Spheres<Dim, Real>::is_far_out(std::int32_t, const Real&) const;          \
+  template Vec<Dim, double> Spheres<Dim, Real>::brought_back(Sphere&, const Real&) const; \
+  template bool Spheres<Dim, Real>::is_crowd_in_a_cell() const;                           \
+  template bool Spheres<Dim, Real>::share_layer(std::int32_t, std::int32_t) const;        \
   template void Spheres<Dim, Real>::settle_in_crowd(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

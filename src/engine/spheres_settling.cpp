@@ -90,7 +90,10 @@ std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real
   const Vector ahead = way_to_anchor(velocity_at(sphere, when), meeting - when);
   // Every way may lead elsewhere now. In a narrow box, with several ways to one neighbour, one that
   // is known could pass for another one that is new.
-  const bool is_seen_anew = go_home(sphere, when, ahead);
+  const Way way = go_home(sphere, when, ahead);
+  const bool is_seen_anew = way != Way();
+  const Vec<Dim, double> periods = periods_of(way);
+  if (periods != Vec<Dim, double>{}) boxes(i) += periods;
   const NeighbourLists::Changes all_gone{};
   const bool is_worth_fetching = count() > most_spheres_in_cache;
   if (is_seen_anew && is_worth_fetching) lists_.fetch(i, {}, all_gone);
@@ -156,9 +159,9 @@ Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t cell) const {
 /// cell's layer. It stays stored for the time for which it was: only where it is given another
 /// layer or image of the box is it rounded.
 ///
-/// \return  whether it is
+/// \return  the way to where it is at home
 template <int Dim, class Real>
-bool Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector& ahead) const {
+Way Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector& ahead) const {
   const Vector position = position_at(sphere, when) + ahead;
   const Vector& width = box_.cell_width();
   const Steps<Dim> old = cells_.coordinates(sphere.cell);
@@ -169,23 +172,31 @@ bool Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector&
     const auto a = static_cast<std::size_t>(axis);
     const int cells = box_.cells()[a];
     Real place = position[axis];
-    if (axis == 0) place -= layers * (box_.slide_speed() * when);
-    int cell = floor_within(-cells, 2 * cells - 1, Real(place / width[axis]));
+    if (axis == 0) {
+      place -= layers * (box_.slide_speed() * when);
+      if constexpr (Dim > 1) place -= periods[1] * offset_;
+    }
+    const int farthest = axis == 0 ? 2 : 1;  // boxes
+    int cell =
+        floor_within(-farthest * cells, (1 + farthest) * cells - 1, Real(place / width[axis]));
     if (axis == 0) cell -= layers * cells_.whole_slide();
     if (box_.is_closed(axis)) cell = std::clamp(cell, 0, cells - 2);
     periods[a] = cell < 0 ? -1 : cell >= cells ? 1 : 0;
-    if (axis == 0) periods[a] += cell < -cells ? -1 : cell >= 2 * cells ? 1 : 0;
+    if (axis == 0) {
+      periods[a] += (cell >= 2 * cells) - (cell < -cells);
+      periods[a] += (cell >= 3 * cells) - (cell < -2 * cells);
+    }
     home[a] = std::clamp(cell - periods[a] * cells, 0, cells - 1);
     if (axis == 1) layers = std::clamp(cell - old[a], -1, 1);
   }
   sphere.cell = cells_.index(home);
   const Way way(periods, layers);
-  if (way == Way()) return false;
+  if (way == Way()) return way;
   const Image<Dim, Real>& image = this->image(way);
   sphere.position -= image.position;
   sphere.position[0] -= image.velocity * sphere.time;
   sphere.velocity[0] -= image.velocity;
-  return true;
+  return way;
 }
 
 /// All spheres whose balls come within a diameter of the ball of i while one slides past the
@@ -197,8 +208,11 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
   // Adjacent layers slide on by half a cell while the list lasts: a quarter either way of the
   // middle.
   const int quarter = box_.is_sheared() ? cell_grains_[0] / 4 + 1 : 0;
-  const double slid = slid_columns(when);
-  const int slid_grains = static_cast<int>(slid * cell_grains_[0] + 0.5) + quarter;
+  const Slides slid = slides(home, when);
+  const auto grains = [&](double columns) {
+    return static_cast<int>(columns * cell_grains_[0] + 0.5) + quarter;
+  };
+  const std::array<int, 3> slid_grains{-grains(slid.below), 0, grains(slid.above)};
   const double column =
       anchor.place[0] * settling_.grain / static_cast<double>(box_.cell_width()[0]);
   std::array<AnchorCells::Row, most_cells_around> rows;  // a cell in each at least
@@ -208,7 +222,7 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
     const int layers = SlidingCells<Dim>::layers(steps);
     AnchorCells::Row& row = rows[count++];
     row = {first, last, way, anchor.place, static_cast<std::int16_t>(layers != 0 ? quarter : 0)};
-    row.place[0] -= static_cast<std::int16_t>(layers * slid_grains);
+    row.place[0] -= static_cast<std::int16_t>(slid_grains[static_cast<std::size_t>(layers + 1)]);
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       row.place[axis] -= static_cast<std::int16_t>(steps[axis] * cell_grains_[axis]);
     }
@@ -229,35 +243,45 @@ void Spheres<Dim, Real>::fetch_cells(std::int32_t i, const Real& when) const {
   go_home(sphere, when, {});
   const Steps<Dim> home = cells_.coordinates(sphere.cell);
   const Real column = position_at(sphere, when)[0] / box_.cell_width()[0] - home[0];
-  cells_.for_each_run(home, columns_within_reach(static_cast<double>(column), slid_columns(when)),
+  cells_.for_each_run(home, columns_within_reach(static_cast<double>(column), slides(home, when)),
                       [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
                         anchor_cells_.fetch(first, last);
                       });
 }
 
-/// By how much of a cell each layer has slid against the one below it, beside whole cells; in
-/// [0, 1].
+/// By how much of a cell each layer has slid against the one below it, and beyond the faces of the
+/// box the images are displaced besides; both beside whole cells, in [0, 2].
 template <int Dim, class Real>
-double Spheres<Dim, Real>::slid_columns(const Real& when) const {
-  if (!box_.is_sheared()) return 0;
-  return std::clamp(static_cast<double>(when / box_.clock_unit()), 0.0, 1.0);
+typename Spheres<Dim, Real>::Slides Spheres<Dim, Real>::slides(const Steps<Dim>& home,
+                                                               const Real& when) const {
+  double slid = 0;
+  if (box_.is_sheared()) {
+    slid = std::clamp(static_cast<double>(when / box_.clock_unit()), 0.0, 1.0);
+  }
+  Slides slides{slid, slid};
+  if constexpr (Dim > 1) {
+    if (home[1] == 0) slides.below += odd_offset_;
+    if (home[1] + 1 == box_.cells()[1]) slides.above += odd_offset_;
+  }
+  return slides;
 }
 
 /// The columns of the layers below, beside and above that come near a place while a list lasts.
 ///
 /// \param place  along x, from the lower side of its cell, in columns
 template <int Dim, class Real>
-typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(double place,
-                                                                           double slid) const {
+typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(
+    double place, const Slides& slid) const {
+  const double window = box_.is_sheared() ? 0.5 : 0;
   const double distance = settling_.distance / static_cast<double>(box_.cell_width()[0]);
   typename SlidingCells<Dim>::Reach reach;
   for (const int layers : {-1, 0, 1}) {
     // The cell of column d then covers d + slide to d + slide + 1, and slides on by half a cell.
     double least = 0;
     double most = 0;
-    if (box_.is_sheared() && layers != 0) {
-      least = layers > 0 ? slid : -slid - 0.5;
-      most = least + 0.5;
+    if (layers != 0) {
+      least = layers > 0 ? slid.above : -slid.below - window;
+      most = least + window;
     }
     int from = static_cast<int>(std::floor(place - distance - most));
     int to = static_cast<int>(std::floor(place + distance - least));
@@ -277,8 +301,20 @@ void Spheres<Dim, Real>::set_back(const Real& span) {
   const auto units = static_cast<float>(static_cast<double>(span) / settling_.expiry_unit);
   for (std::int32_t i = 0; i < count(); ++i) anchor(i).expires -= units;
   cells_.slide_by_one_cell();
-  if (cells_.whole_slide() == 0) lists_.turn();
+  if (cells_.whole_slide() == 0) turn();
   find_images();
+}
+
+/// The layers have slid by a whole box, which is counted from 0 again.
+template <int Dim, class Real>
+void Spheres<Dim, Real>::turn() {
+  lists_.turn();
+  if constexpr (Dim > 1) {
+    for (std::int32_t i = 0; i < count(); ++i) {
+      const int layer = cells_.coordinates((*this)[i].cell)[1];
+      boxes(i)[0] += layer + box_.cells()[1] * boxes(i)[1];
+    }
+  }
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                          \
@@ -288,7 +324,7 @@ void Spheres<Dim, Real>::set_back(const Real& span) {
                                                                  const Real&);                     \
   template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&, const Vec<Dim, Real>&); \
   template Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t) const;                          \
-  template bool Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) const;    \
+  template Way Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) const;     \
   template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);      \
   template void Spheres<Dim, Real>::set_back(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)

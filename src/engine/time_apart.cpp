@@ -1,8 +1,10 @@
 #include "engine/time_apart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 
 #include "model/instantiate.hpp"
@@ -16,20 +18,26 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 __extension__ using Wide = unsigned __int128;  // products of two integers of 64 bits
 
-/// The least n >= 0 for which n step modulo `period` is in [from, to], or nothing.
+/// The least n >= 0 for which n step modulo `period` is in [from, to], or nothing; one beyond
+/// `most` may be left out.
 ///
 /// \param step  below the period
 std::optional<std::uint64_t> first_multiple_in(std::uint64_t from, std::uint64_t to,
-                                               std::uint64_t step, std::uint64_t period) {
+                                               std::uint64_t step, std::uint64_t period,
+                                               std::uint64_t most) {
   if (from == 0) return 0;
   if (step == 0) return std::nullopt;
   if (step > period - step) {  // the other way round
-    return first_multiple_in(period - to, period - from, period - step, period);
+    return first_multiple_in(period - to, period - from, period - step, period, most);
   }
   const std::uint64_t steps = (from - 1) / step + 1;
   if (Wide{steps} * step <= to) return steps;
+  if (Wide{most} * step < period) return std::nullopt;  // not within the first turn
   // After how many turns a multiple lands there: a question of the same kind, half as large.
-  const auto turns = first_multiple_in(from % step, to % step, (step - period % step) % step, step);
+  const double in_turns = static_cast<double>(step) / static_cast<double>(period);
+  const auto most_turns = static_cast<std::uint64_t>(static_cast<double>(most) * in_turns) + 2;
+  const auto turns =
+      first_multiple_in(from % step, to % step, (step - period % step) % step, step, most_turns);
   if (!turns) return std::nullopt;
   return static_cast<std::uint64_t>((Wide{from} + Wide{period} * *turns - 1) / step + 1);
 }
@@ -58,7 +66,8 @@ struct Passes {
     // Multiples that carry from `here` to [-wide, wide].
     const std::uint64_t least = (2 * all - here - wide) % all;
     if (least + 2 * wide >= all) return from;  // 0 is among them
-    const auto steps = first_multiple_in(least, least + 2 * wide, one, all);
+    const auto most = static_cast<std::uint64_t>(std::max(end - from, 0.0));
+    const auto steps = first_multiple_in(least, least + 2 * wide, one, all, most);
     const double found = steps ? from + static_cast<double>(*steps) : never;
     return found < end ? found : never;
   }
@@ -165,29 +174,23 @@ class Search {
   std::array<Passes, 2> passes_{};
 };
 
-/// The periodic axis along which most boxes are crossed, or -1.
+/// The axes, those along which most boxes are crossed first; along some there may be none.
 template <int Dim>
-int axis_to_count(const StraightFlight<Dim>& flight) {
-  int axis = -1;
-  double most = 0;
-  for (int a = 0; a < Dim; ++a) {
-    const double boxes = std::abs(flight.velocity[a]) / flight.periods[static_cast<std::size_t>(a)];
-    if (boxes > most) {
-      most = boxes;
-      axis = a;
-    }
-  }
-  return axis;
+std::array<int, Dim> axes_by_boxes(const StraightFlight<Dim>& flight) {
+  const auto boxes = [&](int axis) {
+    return std::abs(flight.velocity[axis]) / flight.periods[static_cast<std::size_t>(axis)];
+  };
+  std::array<int, Dim> axes{};
+  std::iota(axes.begin(), axes.end(), 0);
+  std::sort(axes.begin(), axes.end(),
+            [&](int a, int b) { return boxes(a) > boxes(b) || (boxes(a) == boxes(b) && a < b); });
+  return axes;
 }
 
-}  // namespace
-
+/// The time that the planes of one axis tell; 0: nothing.
 template <int Dim>
-double time_apart(const StraightFlight<Dim>& flight, double until, int searches) {
+double time_by_planes(const StraightFlight<Dim>& flight, int axis, double until, int searches) {
   const double speed = std::sqrt(dot(flight.velocity, flight.velocity));
-  if (!(speed > 0)) return never;
-  const int axis = axis_to_count(flight);
-  if (axis < 0) return 0;  // no image but the nearest
   const auto time_within = [&](double longest) {
     return Search<Dim>(flight, axis, longest).first_contact(searches);
   };
@@ -206,6 +209,20 @@ double time_apart(const StraightFlight<Dim>& flight, double until, int searches)
     (ends_before ? longest : certain) = length;
   }
   return time;
+}
+
+}  // namespace
+
+template <int Dim>
+double time_apart(const StraightFlight<Dim>& flight, double until, int searches) {
+  if (!(dot(flight.velocity, flight.velocity) > 0)) return never;
+  for (const int axis : axes_by_boxes(flight)) {
+    const double period = flight.periods[static_cast<std::size_t>(axis)];
+    if (flight.velocity[axis] == 0 || std::isinf(period)) continue;  // no image but the nearest
+    const double time = time_by_planes(flight, axis, until, searches);
+    if (time > 0) return time;
+  }
+  return 0;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim) \

@@ -12,10 +12,10 @@ namespace zenosphere {
 /// layers up or down. In one number below `count`, so that it fits beside a sphere's number.
 class Way {
  public:
-  static constexpr std::int32_t count = 5 * 3 * 3 * 3;
+  static constexpr std::int32_t count = 7 * 3 * 3 * 3;
 
   Way() = default;
-  /// \param periods  boxes crossed along each axis; along x at most 2 either way, else 1
+  /// \param periods  boxes crossed along each axis; along x at most 3 either way, else 1
   /// \param layers   -1, 0 or +1
   template <std::size_t Dim>
   Way(const std::array<int, Dim>& periods, int layers)
@@ -32,7 +32,7 @@ class Way {
   int layers() const { return code_ % 3 - 1; }
   int periods(int axis) const {
     const auto a = static_cast<std::size_t>(axis);
-    return axis == 0 ? code_ / per_period[a] - 2 : code_ / per_period[a] % 3 - 1;
+    return axis == 0 ? code_ / per_period[a] - 3 : code_ / per_period[a] % 3 - 1;
   }
 
   /// The same way, but through so many more faces normal to z.

@@ -15,6 +15,7 @@
 #include "export/vtk_frame.hpp"
 #include "io/case_box.hpp"
 #include "io/case_file.hpp"
+#include "io/counted.hpp"
 #include "io/recorded_run.hpp"
 #include "io/rehearsal.hpp"
 #include "model/errors.hpp"
@@ -45,9 +46,10 @@ Case case_of(const RecordedRun& run, const fs::path& path) {
   if (values.system.spheres == info.spheres && values.system.dimension == info.dimension) {
     return values;
   }
-  throw InputError(fmt::format(
-      "{}: has {} spheres in {} dimensions (its case has {} in {}); it is damaged", path.string(),
-      info.spheres, info.dimension, values.system.spheres, values.system.dimension));
+  throw InputError(fmt::format("{}: has {} in {} (its case has {} in {}); it is damaged",
+                               path.string(), counted(info.spheres, "sphere"),
+                               counted(info.dimension, "dimension"), values.system.spheres,
+                               values.system.dimension));
 }
 
 /// Throws where a viewer could not place a sphere.
@@ -234,9 +236,9 @@ std::string to_text(const Exported& exported, const Export& request) {
                                                 : ": interrupted, nothing was written\n");
   }
   const bool has_rows = request.format == ExportFormat::csv_collisions;
-  std::string text = fmt::format("{}: {} {}{} of {} spheres\n", request.target.string(),
-                                 exported.written, has_rows ? "collision" : "snapshot",
-                                 exported.written == 1 ? "" : "s", exported.spheres);
+  std::string text = fmt::format("{}: {} of {}\n", request.target.string(),
+                                 counted(exported.written, has_rows ? "collision" : "snapshot"),
+                                 counted(exported.spheres, "sphere"));
   if (!exported.complete) text += "  the run has not ended: up to its last checkpoint\n";
   if (shows_spheres(request.format) && !exported.collisions_are_counted) {
     text +=

@@ -26,12 +26,17 @@ struct Frame {
   }
   /// Laboratory position in the upright box, diameters.
   std::array<double, 3> position(std::int64_t i) const { return row(snapshot.positions, i); }
+  /// Through how many boxes it has come since the start, along the vectors of the cell; only where
+  /// has_images().
+  std::array<std::int32_t, 3> image(std::int64_t i) const { return row(snapshot.images, i); }
+  bool has_images() const { return !snapshot.images.empty(); }
   /// Laboratory velocity, diameters/time.
   std::array<double, 3> velocity(std::int64_t i) const { return row(snapshot.velocities, i); }
 
  private:
-  std::array<double, 3> row(const std::vector<double>& rows, std::int64_t i) const {
-    std::array<double, 3> result{};
+  template <class T>
+  std::array<T, 3> row(const std::vector<T>& rows, std::int64_t i) const {
+    std::array<T, 3> result{};
     const std::size_t first = static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension);
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
       result[axis] = rows[first + axis];

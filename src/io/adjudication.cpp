@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/case_words.hpp"
+#include "io/counted.hpp"
 #include "io/json.hpp"
 
 namespace zenosphere {
@@ -111,8 +112,7 @@ std::string text_of(const Trial& trial) {
     return value ? fmt::format("{}", *value) : std::string("-");
   };
   return fmt::format("{:<10} {:<10} {:>9} {:<20} {:>8} {:>9} {:>9} {:>9} {:>9}  {}\n",
-                     word(trial.precision), word(trial.rule),
-                     trial.first_hit == 0 ? "start" : number(trial.first_hit),
+                     word(trial.precision), word(trial.rule), number(trial.first_hit),
                      trial.first_hit_time.value_or("-").substr(0, 20), trial.hits,
                      trial.deepest > 0 ? fmt::format("1e-{:.0f}", trial.deepest) : "-",
                      trial.absorbed, number(trial.arrest), trial.collisions, trial.ended_by);
@@ -145,8 +145,8 @@ std::string to_json(const Adjudication& adjudication) {
   const Json json{{"precision", word(adjudication.precision)},
                   {"overlap", word(adjudication.rule)},
                   {"hits", adjudication.hits},
-                  {"first_hit", adjudication.first_hit},
-                  {"finding", word(adjudication.finding)},
+                  {"first_hit", or_null(adjudication.first_hit)},
+                  {"finding", adjudication.is_without_hits ? Json() : word(adjudication.finding)},
                   {"sentence", adjudication.sentence},
                   {"approaches", approaches},
                   {"groups_left_out", adjudication.left_out},
@@ -157,8 +157,15 @@ std::string to_json(const Adjudication& adjudication) {
 }
 
 std::string to_text(const Adjudication& adjudication) {
-  std::string text = fmt::format("{} hits in {}, the first at collision {}.\n\n", adjudication.hits,
-                                 word(adjudication.precision), adjudication.first_hit);
+  if (adjudication.is_without_hits) {
+    return fmt::format("Nothing to adjudicate: {}.\n", adjudication.sentence);
+  }
+  std::string text = counted(adjudication.hits, "hit") + " in " + word(adjudication.precision);
+  if (adjudication.first_hit) {
+    text += fmt::format(", {}at collision {}", adjudication.hits == 1 ? "" : "the first ",
+                        *adjudication.first_hit);
+  }
+  text += ".\n\n";
   text += fmt::format("{:>9}  {:<18} {:>7} {:>8} {:>12}  {:<22} {}\n", "run's hit", "finding",
                       "spheres", "decades", "met at", "time", "collapse time");
   for (const JudgedApproach& one : adjudication.approaches) text += text_of(one);

@@ -72,13 +72,14 @@ struct Adjudication {
   Precision precision = Precision::double_precision;  ///< of the run itself
   OverlapRule rule = OverlapRule::rewind;             ///< likewise
   std::int64_t hits = 0;                              ///< of the run
-  std::int64_t first_hit = 0;                         ///< its first, a collision
+  std::optional<std::int64_t> first_hit{};            ///< its first, a collision
   std::vector<JudgedApproach> approaches{};           ///< in the order of the run's hits
   std::int64_t left_out = 0;                          ///< groups of hits that were not followed
   std::int64_t beyond = 0;               ///< of these, the ones behind as many as were asked for
   std::vector<Trial> trials{};           ///< from before the first hit: the first is the run itself
   Finding finding = Finding::undecided;  ///< the strongest of its approaches
   std::string sentence{};
+  bool is_without_hits = false;  ///< all of the run was searched, and there is nothing to judge
   bool was_interrupted = false;
 };
 

@@ -37,6 +37,7 @@ struct Case {
     std::vector<std::vector<double>> positions{};   ///< N x D, for Arrangement::given
     std::vector<std::vector<double>> velocities{};  ///< N x D, laboratory, likewise
     std::string file{};                             ///< for Arrangement::file
+    std::optional<std::int64_t> snapshot{};         ///< of the file, from 0; none: the last
   } start;
   struct Drive {
     DriveKind kind = DriveKind::none;

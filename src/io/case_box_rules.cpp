@@ -8,6 +8,7 @@
 #include "io/case_box.hpp"
 #include "io/case_rules.hpp"
 #include "io/case_table.hpp"
+#include "io/derived.hpp"
 #include "model/shear_box.hpp"
 
 namespace zenosphere::case_format {
@@ -220,6 +221,21 @@ Objection sides_hold_too_little(const Case& values) {
                      random ? " for start.arrangement = \"random\"" : "");
 }
 
+/// Cells of a long box are as narrow as its narrowest side asks for.
+Objection box_too_long_for_its_width(const Case& values) {
+  if (values.system.sides.empty()) return std::nullopt;
+  const double most =
+      std::max(0x1p20, 8 * static_cast<double>(values.system.spheres));  // some hundred MiB
+  const double width = cell_width_of(values);
+  double cells = 1;
+  for (const double side : values.system.sides) cells *= std::max(std::floor(side / width), 2.0);
+  if (cells <= most) return std::nullopt;
+  return fmt::format(
+      "(cells that suit the shortest side would be {:.3g}, must be at most {:.3g}); make the sides "
+      "less unequal",
+      cells, most);
+}
+
 /// The lattice begins a quarter of its spacing away from the faces.
 Objection lattice_touches_walls(const Case& values) {
   if (!is_lattice(values) || !values.walls.axis) return std::nullopt;
@@ -256,6 +272,9 @@ std::span<const Rule> box_rules() {
        sides_too_short},
       {{"system.sides", "system.dimension", "system.spheres", "start.arrangement"},
        sides_hold_too_little},
+      {{"system.sides", "system.dimension", "system.spheres", "system.solids_volume_fraction",
+        "system.aspect_ratio", "walls.axis"},
+       box_too_long_for_its_width},
       {{"walls.axis", "start.arrangement", "system.spheres", "system.sides", "system.dimension",
         "system.solids_volume_fraction", "system.aspect_ratio"},
        lattice_touches_walls}};

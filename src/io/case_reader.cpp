@@ -87,9 +87,9 @@ void Reader::reject_unknown_table(const Entry& head) {
 void Reader::reject_unknown_key(const Entry& entry) {
   std::string text = "unknown key " + entry.key();
   if (const Key* meant = nearest_key(entry.table, entry.name)) {
-    const bool same_table = meant->table == entry.table;
+    const bool is_in_sight = meant->table == entry.table && !entry.key_place.is_override();
     text +=
-        fmt::format("; did you mean {}?", same_table ? std::string(meant->name) : meant->path());
+        fmt::format("; did you mean {}?", is_in_sight ? std::string(meant->name) : meant->path());
     meant_.insert(meant->path());
   }
   problems_.add(entry.key_place, text);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/case_box.hpp"
+#include "io/counted.hpp"
 
 namespace zenosphere::case_format {
 namespace {
@@ -60,7 +61,8 @@ Objection wrong_shape(const std::vector<std::vector<double>>& rows, const Case& 
                        rows[i].size(), components);
   }
   if (rows.size() == static_cast<std::size_t>(values.system.spheres)) return std::nullopt;
-  return fmt::format("(has {} spheres, system.spheres = {}); make them equal", rows.size(),
+  return fmt::format("(has {}, system.spheres = {}); make them equal",
+                     counted(static_cast<std::int64_t>(rows.size()), "sphere"),
                      values.system.spheres);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "io/case_box.hpp"
 #include "io/case_rules.hpp"
@@ -26,7 +27,7 @@ constexpr double most_misplaced = 1e-6;
 /// Distance from 1 to the next number.
 double rounding_of(Precision precision) { return std::ldexp(1.0, 1 - precision.bits()); }
 
-/// `must be 0 or in [1e-100, 1e+100]`
+/// `must be 0 or in [1e-75, 1e+75]`
 std::string range_text() { return fmt::format("must be 0 or in [{:g}, {:g}]", slowest, fastest); }
 
 bool is_right(double speed) {
@@ -49,19 +50,22 @@ bool has_box(const Case& values) {
 }
 
 Objection temperature_out_of_range(const Case& values) {
-  const double temperature = values.start.granular_temperature.value_or(0);
-  const double least = slowest * slowest;
-  const double most = fastest * fastest;
-  if (temperature == 0 || (temperature >= least && temperature <= most)) return std::nullopt;
-  return fmt::format("(must be 0 or in [{:g}, {:g}]); choose another unit of time", least, most);
+  if (is_right(std::sqrt(values.start.granular_temperature.value_or(0)))) return std::nullopt;
+  return fmt::format("(must be 0 or in [{:g}, {:g}]); choose another unit of time",
+                     slowest * slowest, fastest * fastest);
+}
+
+/// That of the spheres at the start; 0 where they rest, or are read from a file: given_start()
+/// judges these.
+double thermal_speed_at_start(const Case& values) {
+  const auto& start = values.start;
+  if (start.granular_temperature) return std::sqrt(*start.granular_temperature);
+  if (start.velocities.size() != start.positions.size() || !has_box(values)) return 0;
+  return thermal_speed(values, flat(start.positions), flat(start.velocities));
 }
 
 Objection written_speeds_out_of_range(const Case& values) {
-  std::vector<double> velocities;
-  for (const auto& row : values.start.velocities) {
-    velocities.insert(velocities.end(), row.begin(), row.end());
-  }
-  const auto wrong = wrong_speed(velocities, values.system.dimension);
+  const auto wrong = wrong_speed(flat(values.start.velocities), values.system.dimension);
   return wrong ? Objection(fmt::format("({}); choose another unit of time", *wrong)) : std::nullopt;
 }
 
@@ -74,17 +78,17 @@ Objection shear_out_of_range(const Case& values) {
   return unless_right(speed_across(values), "the speed across the box");
 }
 
-/// A start is drawn to a temperature. What the profile's rounding is beside it is lost.
+/// What of the speeds of a start is less than the rounding of the profile is lost.
 Objection shear_drowns_temperature(const Case& values) {
-  const double temperature = values.start.granular_temperature.value_or(0);
+  const double thermal = thermal_speed_at_start(values);
   const double across = speed_across(values);
   const double rounding = rounding_of(values.collision.precision);
-  const double most = most_rounding * std::sqrt(temperature) / rounding;
-  if (temperature == 0 || across <= most) return std::nullopt;
+  const double most = most_rounding * thermal / rounding;
+  if (thermal == 0 || across <= most) return std::nullopt;
   return fmt::format(
       "(the speed across the box is rounded to {:.2g} in {}, the thermal speed is {:.3g}); use at "
-      "most {:.3g}, a higher start.granular_temperature or more digits in collision.precision",
-      across * rounding, word(values.collision.precision), std::sqrt(temperature),
+      "most {:.3g}, a hotter start or more digits in collision.precision",
+      across * rounding, word(values.collision.precision), thermal,
       0.994 * most / side_along(values, 1));  // below it in three digits
 }
 
@@ -101,23 +105,23 @@ Objection gravity_out_of_range(const Case& values) {
   return std::nullopt;
 }
 
-/// Where no wall stops it, gravity makes all spheres equally fast: that must leave the digits of
-/// what they do among each other.
+/// Where no wall stops it, gravity makes all spheres equally fast: that must be a speed, and leave
+/// the digits of what they do among each other.
 Objection fall_drowns_temperature(const Case& values) {
-  const double temperature = values.start.granular_temperature.value_or(0);
+  const double thermal = thermal_speed_at_start(values);
   const double time = values.run.time.value_or(0);
-  const double most =
-      most_rounding * std::sqrt(temperature) / rounding_of(values.collision.precision);
+  const double most = most_rounding * thermal / rounding_of(values.collision.precision);
   const auto& acceleration = values.gravity.acceleration;
   for (std::size_t axis = 0; axis < acceleration.size(); ++axis) {
     const double speed = std::abs(acceleration[axis]) * time;
-    const bool is_stopped = closed_axis(values) == static_cast<int>(axis);
-    if (is_stopped || temperature == 0 || speed <= most) continue;
+    if (closed_axis(values) == static_cast<int>(axis)) continue;
+    if (speed > fastest) return unless_right(speed, "the speed of the fall at run.time");
+    if (thermal == 0 || speed <= most) continue;
     return fmt::format(
         "(all fall at {:.3g} diameters/time at run.time, which is rounded to {:.2g} in {}; the "
         "thermal speed is {:.3g}); end the run earlier or use more digits in collision.precision",
         speed, speed * rounding_of(values.collision.precision), word(values.collision.precision),
-        std::sqrt(temperature));
+        thermal);
   }
   return std::nullopt;
 }
@@ -145,16 +149,16 @@ Objection kicks_out_of_range(const Case& values) {
 /// that is known to some digits only.
 Objection wall_out_of_range(double speed, const Case& values) {
   if (const auto wrong = unless_right(speed, "it")) return wrong;
-  const double temperature = values.start.granular_temperature.value_or(0);
+  const double thermal = thermal_speed_at_start(values);
   const bool is_rough = values.walls.tangential_restitution > -1;
-  if (temperature == 0 || !is_rough || !values.walls.axis || !has_box(values)) return std::nullopt;
-  const double until_wall = side_along(values, *closed_axis(values)) / std::sqrt(temperature);
+  if (thermal == 0 || !is_rough || !values.walls.axis || !has_box(values)) return std::nullopt;
+  const double until_wall = side_along(values, *closed_axis(values)) / thermal;
   const double misplaced = std::abs(speed) * until_wall * rounding_of(values.collision.precision);
   if (misplaced <= most_misplaced) return std::nullopt;
   return fmt::format(
       "(beside a thermal speed of {:.3g} the rounding of time in {} is {:.2g} diameters, must be "
       "at most {:g}); use a slower wall or more digits in collision.precision",
-      std::sqrt(temperature), word(values.collision.precision), misplaced, most_misplaced);
+      thermal, word(values.collision.precision), misplaced, most_misplaced);
 }
 
 Objection lower_wall_out_of_range(const Case& values) {
@@ -192,6 +196,38 @@ std::optional<std::string> wrong_speed(const std::vector<double>& velocities, in
                      (most - velocities.begin()) / dimension, *most, range_text());
 }
 
+std::vector<double> flat(const std::vector<std::vector<double>>& rows) {
+  std::vector<double> numbers;
+  for (const auto& row : rows) numbers.insert(numbers.end(), row.begin(), row.end());
+  return numbers;
+}
+
+double thermal_speed(const Case& values, const std::vector<double>& positions,
+                     const std::vector<double>& velocities) {
+  const auto components = static_cast<std::size_t>(values.system.dimension);
+  const double across = speed_across(values);
+  const double middle = across > 0 ? side_along(values, 1) / 2 : 0;
+  double largest = across;  // of what is added up
+  long double squares = 0;
+  for (std::size_t axis = 0; axis < components; ++axis) {
+    std::vector<long double> own;
+    for (std::size_t at = axis; at < velocities.size(); at += components) {
+      const bool flows = axis == 0 && across > 0;
+      own.push_back(velocities[at] -
+                    (flows ? values.drive.shear_rate * (positions[at + 1] - middle) : 0));
+      largest = std::max(largest, std::abs(velocities[at]));
+    }
+    const bool is_closed = closed_axis(values) == static_cast<int>(axis);
+    const long double sum = std::accumulate(own.begin(), own.end(), 0.0L);
+    const long double shared = is_closed ? 0 : sum / static_cast<long double>(own.size());
+    for (const long double speed : own) squares += (speed - shared) * (speed - shared);
+  }
+  const auto speed =
+      static_cast<double>(std::sqrt(squares / static_cast<long double>(velocities.size())));
+  const double rounding = 4 * rounding_of(Precision::double_precision) * largest;
+  return speed > rounding ? speed : 0;
+}
+
 std::span<const Rule> speed_rules() {
   constexpr std::string_view fraction = "system.solids_volume_fraction";
   static const std::vector<Rule> rules{
@@ -201,25 +237,26 @@ std::span<const Rule> speed_rules() {
         "system.aspect_ratio", "system.spheres"},
        shear_out_of_range},
       {{"drive.shear_rate", "drive.kind", "system.dimension", "system.sides", fraction,
-        "system.aspect_ratio", "system.spheres", "start.granular_temperature",
-        "collision.precision"},
+        "system.aspect_ratio", "system.spheres", "start.granular_temperature", "start.positions",
+        "start.velocities", "collision.precision"},
        shear_drowns_temperature},
       {{"gravity.acceleration", "system.dimension", "system.sides", fraction, "system.aspect_ratio",
         "system.spheres"},
        gravity_out_of_range},
-      {{"gravity.acceleration", "walls.axis", "start.granular_temperature", "run.time",
-        "collision.precision"},
+      {{"gravity.acceleration", "walls.axis", "start.granular_temperature", "start.positions",
+        "start.velocities", "drive.kind", "drive.shear_rate", "system.dimension", "system.sides",
+        fraction, "system.aspect_ratio", "system.spheres", "run.time", "collision.precision"},
        fall_drowns_temperature},
       {{"drive.noise_strength", "drive.kind", "drive.kick_interval", "run.time",
         "collision.precision"},
        kicks_out_of_range},
       {{"walls.lower_speed", "walls.axis", "walls.tangential_restitution",
-        "start.granular_temperature", "system.dimension", "system.sides", fraction,
-        "system.aspect_ratio", "system.spheres", "collision.precision"},
+        "start.granular_temperature", "start.positions", "start.velocities", "system.dimension",
+        "system.sides", fraction, "system.aspect_ratio", "system.spheres", "collision.precision"},
        lower_wall_out_of_range},
       {{"walls.upper_speed", "walls.axis", "walls.tangential_restitution",
-        "start.granular_temperature", "system.dimension", "system.sides", fraction,
-        "system.aspect_ratio", "system.spheres", "collision.precision"},
+        "start.granular_temperature", "start.positions", "start.velocities", "system.dimension",
+        "system.sides", fraction, "system.aspect_ratio", "system.spheres", "collision.precision"},
        upper_wall_out_of_range},
       {{"drive.kick_interval", "drive.kind", "run.time"}, kicks_too_often},
       {{"output.snapshot_interval", "run.time"}, snapshots_too_often}};

@@ -121,6 +121,8 @@ constexpr std::array key_table{
         &only_given, "one sphere a line, in the laboratory [diameters/time]"},
     Key{"start", "file", required, [](Case& c) -> Slot { return &c.start.file; }, any,
         &only_from_file, "extended XYZ or an output file: its last state"},
+    Key{"start", "snapshot", optional, [](Case& c) -> Slot { return &c.start.snapshot; },
+        at_least(0), &only_from_file, "of the file, from 0, instead of the last"},
     Key{"drive", "kind", required, [](Case& c) -> Slot { return &c.drive.kind; }, any, nullptr,
         "what feeds energy to the spheres"},
     Key{"drive", "shear_rate", required, [](Case& c) -> Slot { return &c.drive.shear_rate; },

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/anchor_cells.hpp"
 #include "engine/settling.hpp"
 #include "io/case_box.hpp"
 #include "io/start_file.hpp"
@@ -187,6 +188,21 @@ std::string text_in(const Case& values) {
 
 }  // namespace
 
+double cell_width_of(const Case& values) {
+  const std::vector<double> sides = box_sides(values);
+  const double volume = std::accumulate(sides.begin(), sides.end(), 1.0, std::multiplies<>());
+  const double width =
+      fitting_cell_width(volume, values.system.spheres, static_cast<int>(sides.size()));
+  double narrowest = width;
+  for (std::size_t axis = 0; axis < sides.size(); ++axis) {
+    const bool is_closed = closed_axis(values) == static_cast<int>(axis);
+    if (!is_closed) narrowest = std::min(narrowest, sides[axis] / 2);  // two cells at least
+  }
+  // Of (narrowest - 1) / 2, the radius of a ball, four grains are lost: at most half of it.
+  constexpr double most_in_grains = AnchorCells::grains_a_cell / 16.0;
+  return std::min(width, std::max(most_in_grains * (narrowest - 1), narrowest));
+}
+
 template <int Dim, class Real>
 ShearBox<Dim, Real> box_of(const Case& values) {
   const std::vector<double> sides = box_sides(values);
@@ -198,8 +214,7 @@ ShearBox<Dim, Real> box_of(const Case& values) {
     real_sides[axis] = is_given ? from_decimal<Real>(side) : Real(side);
   }
   const double shear_rate = values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0;
-  const double volume = std::accumulate(sides.begin(), sides.end(), 1.0, std::multiplies<>());
-  const double width = fitting_cell_width(volume, values.system.spheres, Dim);
+  const double width = cell_width_of(values);
   return {real_sides, from_decimal<Real>(shear_rate), Real(width), closed_axis(values)};
 }
 

@@ -14,6 +14,11 @@ namespace zenosphere {
 template <int Dim, class Real>
 ShearBox<Dim, Real> box_of(const Case& values);
 
+/// Width that the cells of the box of a case should have, diameters: what fits the number of
+/// spheres, or less where a side is much shorter than the others. Places within cells are told in
+/// grains of the widest, which must be fine beside the narrowest.
+double cell_width_of(const Case& values);
+
 /// What follows exactly from a case, as aligned lines for people: box, density, cells, start,
 /// shear, size of the output.
 ///

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/counted.hpp"
 #include "io/xyz_header.hpp"
 #include "io/xyz_lines.hpp"
 #include "model/limits.hpp"
@@ -28,15 +29,18 @@ std::int64_t spheres_in(std::string_view line, const Lines& lines) {
   return *spheres;
 }
 
-/// Finds where the last frame begins; checks of all only that they have their lines.
-Lines::Mark last_frame(Lines& lines) {
+/// Finds where a frame begins; checks of those before it, and of none: of all, only that they have
+/// their lines.
+Lines::Mark beginning(Lines& lines, std::optional<std::int64_t> number) {
   std::optional<Lines::Mark> last;
-  for (;;) {
+  std::int64_t frames = 0;
+  while (!number || frames <= *number) {
     const Lines::Mark here = lines.mark();
     const std::string* line = lines.next();
     if (!line) break;
     if (line->find_first_not_of(xyz::blanks) == std::string::npos) continue;
     last = here;
+    ++frames;
     const std::int64_t needed = spheres_in(*line, lines) + 1;
     for (std::int64_t read = 0; read < needed; ++read) {
       if (lines.next()) continue;
@@ -45,6 +49,11 @@ Lines::Mark last_frame(Lines& lines) {
     }
   }
   if (!last) lines.reject_file("is empty (needs a frame of extended XYZ)");
+  if (number && frames <= *number) {
+    lines.reject_file(
+        fmt::format("has {} (start.snapshot = {}, counted from 0); choose one of them",
+                    counted(frames, "frame"), *number));
+  }
   return *last;
 }
 
@@ -120,18 +129,22 @@ class Rows {
 
 }  // namespace
 
-XyzFrame read_last_frame(const std::filesystem::path& path, int dimension, std::int64_t spheres) {
+XyzFrame read_frame(const std::filesystem::path& path, int dimension, std::int64_t spheres,
+                    std::optional<std::int64_t> number) {
   Lines lines(path);
-  lines.go_back(last_frame(lines));
+  lines.go_back(beginning(lines, number));
   const std::int64_t found = spheres_in(lines.required(), lines);
   if (found != spheres) {
-    lines.reject(
-        fmt::format("has {} spheres (system.spheres = {}); make them equal", found, spheres));
+    lines.reject(fmt::format("has {} (system.spheres = {}); make them equal",
+                             counted(found, "sphere"), spheres));
   }
   const std::string comment = lines.required();
   const xyz::Header header = xyz::header_of(comment, dimension, lines);
-  XyzFrame frame{
-      .positions = {}, .velocities = {}, .sides = header.sides, .is_periodic = header.is_periodic};
+  XyzFrame frame{.positions = {},
+                 .velocities = {},
+                 .sides = header.lattice.sides,
+                 .offset = header.lattice.offset,
+                 .is_periodic = header.is_periodic};
   Rows rows(header, dimension, lines);
   for (std::int64_t i = 0; i < spheres; ++i) rows.read_next(frame);
   return frame;

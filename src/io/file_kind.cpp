@@ -38,11 +38,11 @@ FileKind kind_of_file_at(const std::filesystem::path& file) {
 std::string what_it_is(FileKind kind) {
   switch (kind) {
     case FileKind::output:
-      return "is an HDF5 file, as runs make them; zenosphere info, resume, report and export read "
-             "such files";
+      return "is an HDF5 file, as runs make them; zenosphere info, resume, verify, adjudicate, "
+             "export, report, figures and movie read such files";
     case FileKind::store:
-      return "is an SQLite file, as sweeps make them; zenosphere sweep csv, sweep show and report "
-             "read such files";
+      return "is an SQLite file, as sweeps make them; zenosphere sweep csv, sweep show, report and "
+             "ensemble read such files";
     case FileKind::sweep:
       return "is a sweep file; zenosphere sweep runs it";
     case FileKind::case_file:

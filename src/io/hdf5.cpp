@@ -150,6 +150,12 @@ bool is_hdf5(const std::filesystem::path& path) {
   return H5Fis_hdf5(path.c_str()) > 0;
 }
 
+std::int64_t end_of(const Handle& file) {
+  haddr_t end = 0;
+  checked(H5Fget_eoa(file.id(), &end));
+  return static_cast<std::int64_t>(end);
+}
+
 void flush(const Handle& file) { checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL)); }
 
 Handle created_group(const Handle& parent, const std::string& path) {

@@ -48,6 +48,8 @@ Handle opened_file(const std::filesystem::path& path);
 Handle reopened_file(const std::filesystem::path& path);
 /// Whether a readable file has the signature of HDF5.
 bool is_hdf5(const std::filesystem::path& path);
+/// Where HDF5's part of a file ends: bytes that follow it are nothing to HDF5.
+std::int64_t end_of(const Handle& file);
 /// Hands everything written so far to the operating system.
 void flush(const Handle& file);
 

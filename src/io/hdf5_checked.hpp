@@ -26,4 +26,9 @@ inline Handle simple_space(const std::vector<hsize_t>& count) {
   return owned(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr));
 }
 
+enum class Type;
+
+/// The type of a number, in memory and in the file alike.
+hid_t number_type(Type type);
+
 }  // namespace zenosphere::hdf5

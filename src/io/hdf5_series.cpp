@@ -9,22 +9,6 @@
 namespace zenosphere::hdf5 {
 namespace {
 
-/// The type of a number, in memory and in the file alike.
-hid_t number_type(Type type) {
-  static_assert(std::endian::native == std::endian::little);
-  switch (type) {
-    case Type::uint8:
-      return H5T_STD_U8LE;
-    case Type::int32:
-      return H5T_STD_I32LE;
-    case Type::int64:
-      return H5T_STD_I64LE;
-    case Type::float64:
-      return H5T_IEEE_F64LE;
-  }
-  throw Error("unknown type");
-}
-
 std::vector<hsize_t> extents(std::int64_t rows, const std::vector<std::int64_t>& row_shape) {
   std::vector<hsize_t> result{static_cast<hsize_t>(rows)};
   result.insert(result.end(), row_shape.begin(), row_shape.end());
@@ -73,6 +57,21 @@ void for_each_block(const Handle& dataset, Type type, const std::vector<std::int
 }
 
 }  // namespace
+
+hid_t number_type(Type type) {
+  static_assert(std::endian::native == std::endian::little);
+  switch (type) {
+    case Type::uint8:
+      return H5T_STD_U8LE;
+    case Type::int32:
+      return H5T_STD_I32LE;
+    case Type::int64:
+      return H5T_STD_I64LE;
+    case Type::float64:
+      return H5T_IEEE_F64LE;
+  }
+  throw Error("unknown type");
+}
 
 std::vector<std::int64_t> shape(const Handle& parent, const std::string& path) {
   return shape_of(opened(parent, path));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "io/counted.hpp"
 #include "io/json.hpp"
 #include "io/printable.hpp"
 #include "io/summary.hpp"
@@ -15,6 +16,37 @@ std::optional<Summary> summary_in(const OutputInfo& info) {
   if (info.summary) return summary_from_json(*info.summary, info.dimension);
   if (!info.checkpoint || info.checkpoint->summary.empty()) return std::nullopt;
   return summary_from_json(info.checkpoint->summary, info.dimension);
+}
+
+/// What zenosphere adjudicate has found, or null.
+Json adjudication_in(const OutputInfo& info) {
+  if (!info.adjudication) return {};
+  Json json = Json::parse(*info.adjudication, nullptr, false);
+  return json.is_object() ? json : Json();
+}
+
+std::string adjudication_line(const OutputInfo& info) {
+  const Json json = adjudication_in(info);
+  if (json.is_null()) return "";
+  const auto text = [&](const char* key) {
+    return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "?";
+  };
+  return fmt::format("  adjudicated             {}: {}\n", text("finding"), text("sentence"));
+}
+
+/// Nothing where nobody has looked.
+Json word(Integrity integrity) {
+  switch (integrity) {
+    case Integrity::unread:
+      return {};
+    case Integrity::unknown:
+      return "none";
+    case Integrity::values_unchanged:
+      return "values unchanged";
+    case Integrity::bytes_unchanged:
+      return "bytes unchanged";
+  }
+  return {};
 }
 
 }  // namespace
@@ -31,7 +63,9 @@ std::string to_json(const OutputInfo& info) {
                   {"logged_collisions", info.logged_collisions},
                   {"last_collision", info.last_collision},
                   {"last_time", info.last_time},
-                  {"extended_to", info.is_extended ? Json(info.checkpoint->collisions) : Json()}};
+                  {"checksums", word(info.integrity)},
+                  {"extended_to", info.is_extended ? Json(info.checkpoint->collisions) : Json()},
+                  {"adjudication", adjudication_in(info)}};
   return json.dump();
 }
 
@@ -52,9 +86,12 @@ std::string to_text(const OutputInfo& info, const std::string& name) {
         fmt::format("  made longer             up to collision {}, time {:.6g}; not ended yet\n",
                     info.checkpoint->collisions, info.checkpoint->time);
   }
-  text += fmt::format("  snapshots               {} of {} spheres\n", info.snapshots, info.spheres);
+  text += adjudication_line(info);
+  text += fmt::format("  snapshots               {} of {}\n", info.snapshots,
+                      counted(info.spheres, "sphere"));
   text += fmt::format("  logged collisions       {}{}\n", info.logged_collisions,
                       info.log_complete ? " (all)" : "");
+  text += fmt::format("  checksums               {}\n", sentence(info.integrity));
   text += fmt::format("  program                 zenosphere {} ({})\n", info.program_version,
                       info.git_hash);
   text += fmt::format("  compiler                {} {}\n", info.compiler, info.compiler_flags);

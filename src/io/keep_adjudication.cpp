@@ -4,6 +4,7 @@
 
 #include "io/durable.hpp"
 #include "io/hdf5.hpp"
+#include "io/integrity.hpp"
 #include "io/recovery.hpp"
 #include "model/errors.hpp"
 
@@ -26,7 +27,9 @@ void keep_adjudication(const std::filesystem::path& output, const std::string& j
       const hdf5::Handle own = hdf5::opened(file, "zenosphere");
       hdf5::remove(own, "adjudication");
       hdf5::write_text(own, "adjudication", json);
+      write_checksums(file);
     }
+    seal(part);
     put_in_place(part, run.target);
   } catch (const std::exception& error) {
     std::error_code ignored;

@@ -9,6 +9,7 @@
 #include "io/checksum.hpp"
 #include "io/hdf5.hpp"
 #include "io/hdf5_series.hpp"
+#include "io/integrity.hpp"
 
 namespace zenosphere {
 namespace {
@@ -50,6 +51,7 @@ void write_particles(const Handle& file, const OutputHeader& header) {
   const Handle group = hdf5::created_group(file, "particles/spheres");
   const Handle position = hdf5::created_group(group, "position");
   hdf5::created_group(group, "velocity");
+  hdf5::created_group(group, "image");
   const Handle box = hdf5::created_group(group, "box");
   hdf5::created_group(box, "edges");
   hdf5::write_attribute(box, "dimension", std::int64_t{header.dimension});
@@ -65,10 +67,11 @@ void write_particles(const Handle& file, const OutputHeader& header) {
   };
   create("position/value", Type::float64, {header.spheres, header.dimension});
   create("velocity/value", Type::float64, {header.spheres, header.dimension});
+  create("image/value", Type::int32, {header.spheres, header.dimension});
   create("box/edges/value", Type::float64, {header.dimension, header.dimension});
   create("position/step", Type::int64, {});
   create("position/time", Type::float64, {});
-  for (const std::string element : {"velocity", "box/edges"}) {
+  for (const std::string element : {"velocity", "image", "box/edges"}) {
     hdf5::link(group, "position/step", element + "/step");
     hdf5::link(group, "position/time", element + "/time");
   }
@@ -95,16 +98,18 @@ class Trajectory {
 
   void append(const Snapshot& snapshot) {
     const bool fits = position_.is_row(snapshot.positions) &&
-                      velocity_.is_row(snapshot.velocities) && edges_.is_row(snapshot.box_edges);
+                      velocity_.is_row(snapshot.velocities) && image_.is_row(snapshot.images) &&
+                      edges_.is_row(snapshot.box_edges);
     if (!fits) throw hdf5::Error("a snapshot of another system");
     position_.append(snapshot.positions);
     velocity_.append(snapshot.velocities);
+    image_.append(snapshot.images);
     edges_.append(snapshot.box_edges);
     step_.append(std::vector{snapshot.step});
     time_.append(std::vector{snapshot.time});
   }
   void truncate(std::int64_t length) {
-    for (Series* series : {&position_, &velocity_, &edges_, &step_, &time_}) {
+    for (Series* series : {&position_, &velocity_, &image_, &edges_, &step_, &time_}) {
       series->truncate(length);
     }
   }
@@ -115,6 +120,7 @@ class Trajectory {
   Handle group_;
   Series position_{group_, "position/value", Type::float64};
   Series velocity_{group_, "velocity/value", Type::float64};
+  Series image_{group_, "image/value", Type::int32};
   Series edges_{group_, "box/edges/value", Type::float64};
   Series step_{group_, "position/step", Type::int64};
   Series time_{group_, "position/time", Type::float64};
@@ -204,7 +210,8 @@ void OutputDatasets::rewind_to(std::int64_t log_rows, std::int64_t snapshots) {
   contents_->trajectory.truncate(snapshots);
   contents_->log.mark(false);
   hdf5::write_attribute(contents_->own, "complete", std::uint8_t{0});
-  for (const char* end : {"summary", "anatomy", "adjudication"}) hdf5::remove(contents_->own, end);
+  for (const char* end : {"summary", "anatomy", "adjudication", "checksums"})
+    hdf5::remove(contents_->own, end);
 }
 
 void OutputDatasets::set_resolved_case(const std::string& text) {
@@ -236,6 +243,7 @@ void OutputDatasets::finish(const Summary& summary, const Anatomy& anatomy) {
   hdf5::write_text(contents_->own, "summary", to_json(summary, dimension));
   hdf5::remove(hdf5::opened(contents_->own, "checkpoint"), "summary");  // the other one holds more
   hdf5::write_attribute(contents_->own, "complete", std::uint8_t{1});
+  write_checksums(contents_->file);
 }
 
 void OutputDatasets::close() {

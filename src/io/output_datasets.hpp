@@ -54,7 +54,8 @@ class OutputDatasets {
   /// Stores a checkpoint in place of the one before.
   void store(const Checkpoint& checkpoint);
 
-  /// Writes the summary, what was found in a collapse, and the marks of completeness.
+  /// Writes the summary, what was found in a collapse, and the marks of completeness, and the
+  /// checksums of everything.
   void finish(const Summary& summary, const Anatomy& anatomy);
 
   /// Hands everything to the system and closes the file. The last call.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/hdf5.hpp"
+#include "io/integrity.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -176,10 +177,14 @@ Checkpoint OutputFile::counted(Checkpoint checkpoint) const {
   return checkpoint;
 }
 
-/// Gives the next HDF5 file its name.
-void OutputFile::publish() {
+void OutputFile::close_part() {
   part_->close();
   part_.reset();
+}
+
+/// Gives the next HDF5 file, once it is closed, its name.
+void OutputFile::publish() {
+  if (part_) close_part();
   put_in_place(part_path_, target_);
   published_ = identity_of(target_);
 }
@@ -255,6 +260,8 @@ void OutputFile::finish(const Summary& summary, const Anatomy& anatomy) {
     if (!part_) ending_ = fold();
     part_->store(ending_);
     part_->finish(summary, anatomy);
+    close_part();
+    seal(part_path_);
     publish();
   });
   journal_.remove();

@@ -88,6 +88,7 @@ class OutputFile {
   Checkpoint counted(Checkpoint checkpoint) const;
   Checkpoint fold();
   void replay(const Bytes& payload, RecordKind kind);
+  void close_part();
   void publish();
   std::string what_is_kept() const;
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/counted.hpp"
 #include "io/file_kind.hpp"
 #include "io/hdf5.hpp"
 #include "io/hdf5_series.hpp"
@@ -77,6 +78,7 @@ void read_provenance(const Handle& own, OutputInfo& info) {
   info.case_text = hdf5::text(own, "case");
   info.resolved_case = hdf5::text(own, "resolved");
   if (hdf5::contains(own, "summary")) info.summary = hdf5::text(own, "summary");
+  if (hdf5::contains(own, "adjudication")) info.adjudication = hdf5::text(own, "adjudication");
 }
 
 std::int64_t extent(const Handle& file, const std::string& path, std::size_t axis) {
@@ -133,22 +135,23 @@ void require_shape(const fs::path& path, const OutputInfo& info, int dimension,
                    std::int64_t spheres) {
   if (info.snapshots < 1) reject(path, "holds no snapshot (its run was ended too early)");
   if (info.dimension != dimension) {
-    reject(path, fmt::format("has {} dimensions (system.dimension = {}); make them equal",
-                             info.dimension, dimension));
+    reject(path, fmt::format("has {} (system.dimension = {}); make them equal",
+                             counted(info.dimension, "dimension"), dimension));
   }
   if (info.spheres == spheres) return;
-  reject(path, fmt::format("has {} spheres (system.spheres = {}); make them equal", info.spheres,
-                           spheres));
+  reject(path, fmt::format("has {} (system.spheres = {}); make them equal",
+                           counted(info.spheres, "sphere"), spheres));
 }
 
-/// The last row of a dataset that has one row of `row_shape` for each snapshot.
-std::vector<double> last_row(const Handle& file, const std::string& path,
-                             const std::vector<std::int64_t>& row_shape, std::int64_t snapshots) {
+/// Row `n` of a dataset that has one row of `row_shape` for each snapshot.
+std::vector<double> row(const Handle& file, const std::string& path,
+                        const std::vector<std::int64_t>& row_shape, std::int64_t n,
+                        std::int64_t snapshots) {
   std::vector<std::int64_t> needed{snapshots};
   needed.insert(needed.end(), row_shape.begin(), row_shape.end());
   if (hdf5::shape(file, path) != needed) throw hdf5::Error(path + " has another shape");
   std::vector<double> row(static_cast<std::size_t>(row_shape[0] * row_shape[1]));
-  hdf5::read_rows(hdf5::opened(file, path), hdf5::Type::float64, snapshots - 1, 1, row.data());
+  hdf5::read_rows(hdf5::opened(file, path), hdf5::Type::float64, n, 1, row.data());
   return row;
 }
 
@@ -219,17 +222,22 @@ Checkpoint checkpoint_of(const fs::path& path) {
   }
 }
 
-LastSnapshot snapshot_of(const fs::path& path, int dimension, std::int64_t spheres) {
+StoredSnapshot snapshot_of(const fs::path& path, int dimension, std::int64_t spheres,
+                           std::optional<std::int64_t> number) {
   const OutputInfo info = info_of(path);
   require_shape(path, info, dimension, spheres);
+  if (number && *number >= info.snapshots) {
+    reject(path, fmt::format("has {} (start.snapshot = {}, counted from 0); choose one of them",
+                             counted(info.snapshots, "snapshot"), *number));
+  }
   try {
     const Handle file = opened_output(path);
     const std::string group = "particles/spheres/";
     const std::int64_t rows = info.snapshots;
-    return {dimension, spheres,
-            last_row(file, group + "position/value", {spheres, dimension}, rows),
-            last_row(file, group + "velocity/value", {spheres, dimension}, rows),
-            last_row(file, group + "box/edges/value", {dimension, dimension}, rows)};
+    const std::int64_t n = number.value_or(rows - 1);
+    return {dimension, spheres, row(file, group + "position/value", {spheres, dimension}, n, rows),
+            row(file, group + "velocity/value", {spheres, dimension}, n, rows),
+            row(file, group + "box/edges/value", {dimension, dimension}, n, rows)};
   } catch (const hdf5::Error& error) {
     reject(path, fmt::format("cannot be read ({}); it may be damaged", error.what()));
   }
@@ -271,10 +279,11 @@ bool is_hdf5_file(const fs::path& path) {
   return fs::is_regular_file(path, ignored) && hdf5::is_hdf5(path);
 }
 
-LastSnapshot read_last_snapshot(const fs::path& path, int dimension, std::int64_t spheres) {
+StoredSnapshot read_snapshot(const fs::path& path, int dimension, std::int64_t spheres,
+                             std::optional<std::int64_t> number) {
   const auto bytes = static_cast<std::int64_t>(2 * sizeof(double)) * spheres * dimension;
-  rehearse(path, bytes, [&] { snapshot_of(path, dimension, spheres); });
-  return snapshot_of(path, dimension, spheres);
+  rehearse(path, bytes, [&] { snapshot_of(path, dimension, spheres, number); });
+  return snapshot_of(path, dimension, spheres, number);
 }
 
 }  // namespace zenosphere

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/integrity.hpp"
 #include "io/records.hpp"
 
 namespace zenosphere {
@@ -18,8 +19,9 @@ struct OutputInfo {
   std::string case_text;      ///< the case file as it was read
   std::string resolved_case;  ///< TOML, every key with the value used
 
-  bool complete = false;               ///< the run ended and everything is written
-  std::optional<std::string> summary;  ///< JSON; absent in an unfinished file
+  bool complete = false;                    ///< the run ended and everything is written
+  std::optional<std::string> summary;       ///< JSON; absent in an unfinished file
+  std::optional<std::string> adjudication;  ///< JSON; where zenosphere adjudicate has left it
 
   int dimension = 0;
   std::int64_t spheres = 0;
@@ -33,12 +35,13 @@ struct OutputInfo {
   /// The last checkpoint, in the file or in its journal, without its state; absent in files of
   /// programs that made none.
   std::optional<Checkpoint> checkpoint;
-  Basis basis;               ///< what a journal must go on from: the checkpoint in the file
+  Basis basis;  ///< what a journal must go on from: the checkpoint in the file
+  Integrity integrity = Integrity::unread;  ///< set by who compares the checksums
   bool is_extended = false;  ///< complete, and a longer run has a checkpoint in the journal
 };
 
-/// The last state that an output file holds, in laboratory coordinates and row-major.
-struct LastSnapshot {
+/// A state that an output file holds, in laboratory coordinates and row-major.
+struct StoredSnapshot {
   int dimension = 0;
   std::int64_t spheres = 0;
   std::vector<double> positions;   ///< N x D, diameters
@@ -65,11 +68,12 @@ Checkpoint read_checkpoint(const std::filesystem::path& path);
 /// Whether there is a file that begins as HDF5 files do.
 bool is_hdf5_file(const std::filesystem::path& path);
 
-/// Reads the last snapshot of an output file, if it has the shape that the caller needs.
+/// Reads a snapshot of an output file, if it has the shape that the caller needs.
 ///
-/// Throws InputError as read_output_info does, and where the file holds no snapshot or one of
-/// another number of spheres or dimensions.
-LastSnapshot read_last_snapshot(const std::filesystem::path& path, int dimension,
-                                std::int64_t spheres);
+/// \param number  from 0; none: the last one
+/// Throws InputError as read_output_info does, and where the file does not hold that snapshot or
+/// those of another number of spheres or dimensions.
+StoredSnapshot read_snapshot(const std::filesystem::path& path, int dimension, std::int64_t spheres,
+                             std::optional<std::int64_t> number);
 
 }  // namespace zenosphere

@@ -88,9 +88,9 @@ Snapshot RecordedRun::snapshot(std::int64_t n) const {
         decoded<Snapshot>(snapshots_.at(static_cast<std::size_t>(n - stored_snapshots_)));
     const auto dimension = static_cast<std::size_t>(info().dimension);
     const std::size_t components = static_cast<std::size_t>(info().spheres) * dimension;
-    const bool fits = snapshot.positions.size() == components &&
-                      snapshot.velocities.size() == components &&
-                      snapshot.box_edges.size() == dimension * dimension;
+    const bool fits =
+        snapshot.positions.size() == components && snapshot.velocities.size() == components &&
+        snapshot.images.size() == components && snapshot.box_edges.size() == dimension * dimension;
     require_archived(fits, "a snapshot of another number of spheres");
     return snapshot;
   });

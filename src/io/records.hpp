@@ -15,10 +15,13 @@ struct Snapshot {
   std::vector<double> positions{};   ///< N x D, diameters, every component in [0, L)
   std::vector<double> velocities{};  ///< N x D, diameters/time
   std::vector<double> box_edges{};   ///< D x D, diameters; the rows are the box vectors
+  /// N x D: through how many boxes a sphere has come since the start, along the box vectors; empty
+  /// where that is not known.
+  std::vector<std::int32_t> images{};
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.step, self.time, self.positions, self.velocities, self.box_edges);
+    archive(self.step, self.time, self.positions, self.velocities, self.box_edges, self.images);
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "io/integrity.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -51,7 +52,8 @@ fs::path part_of(const fs::path& output) {
 }
 
 RecoveredOutput recover(const fs::path& path) {
-  read_output_info(path);  // what is no output gets no journal
+  checked_integrity(path);  // damage must not get checksums of its own
+  read_output_info(path);   // what is no output gets no journal
   std::error_code ignored;
   const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
   Journal journal = locked_journal(path, target);

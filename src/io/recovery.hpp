@@ -24,7 +24,8 @@ struct RecoveredOutput {
 /// Finds the last checkpoint of an output and drops what came after it.
 ///
 /// The HDF5 file is not changed. Throws InputError where there is no output of this program, or
-/// none with a checkpoint, OutputError where it cannot be written or another run is writing it.
+/// none with a checkpoint, or it is damaged, OutputError where it cannot be written or another run
+/// is writing it.
 RecoveredOutput recover(const std::filesystem::path& path);
 
 }  // namespace zenosphere

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "io/anatomy_group.hpp"
@@ -28,22 +29,26 @@ void require_shape(const hdf5::Handle& file, const std::string& path,
   if (hdf5::shape(file, path) != shape) throw hdf5::Error(path + " has another shape");
 }
 
-/// Row `n` of a dataset whose rows hold `size` numbers.
+/// Rows of a dataset, each of `size` numbers.
 template <class T>
-std::vector<T> row(const hdf5::Handle& file, const std::string& path, std::int64_t n,
-                   std::int64_t size) {
-  std::vector<T> values(static_cast<std::size_t>(size));
-  hdf5::read_rows(hdf5::opened(file, path), hdf5::type_of<T>, n, 1, values.data());
+std::vector<T> rows_of(const hdf5::Handle& file, const std::string& path, std::int64_t first,
+                       std::int64_t count, std::int64_t size) {
+  std::vector<T> values(static_cast<std::size_t>(count * size));
+  hdf5::read_rows(hdf5::opened(file, path), hdf5::type_of<T>, first, count, values.data());
   return values;
 }
 
 template <class T>
 std::vector<T> column(const hdf5::Handle& file, const std::string& name, std::int64_t first,
                       std::int64_t count) {
-  std::vector<T> values(static_cast<std::size_t>(count));
-  hdf5::read_rows(hdf5::opened(file, "collisions/" + name), hdf5::type_of<T>, first, count,
-                  values.data());
-  return values;
+  return rows_of<T>(file, "collisions/" + name, first, count, 1);
+}
+
+/// Row `n` of so many numbers.
+template <class T>
+std::vector<T> row(const std::vector<T>& values, std::int64_t n, std::int64_t size) {
+  const auto begin = values.begin() + n * size;
+  return {begin, begin + size};
 }
 
 }  // namespace
@@ -61,6 +66,9 @@ RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_st
     for (const std::string name : {"position/value", "velocity/value"}) {
       require_shape(file_, spheres_group + name, {snapshots, info_.spheres, dimension});
     }
+    if (has_images()) {
+      require_shape(file_, spheres_group + "image/value", {snapshots, info_.spheres, dimension});
+    }
     require_shape(file_, spheres_group + "box/edges/value", {snapshots, dimension, dimension});
     require_shape(file_, spheres_group + "position/time", {snapshots});
     for (const std::string name : {"k", "time", "i", "j", "gap", "normal_speed", "flags"}) {
@@ -69,17 +77,45 @@ RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_st
   });
 }
 
+bool RunFile::has_images() const {
+  return hdf5::contains(hdf5::opened(file_, spheres_group), "image");
+}
+
 Snapshot RunFile::snapshot(std::int64_t n) const {
-  return reading(path_, [&] {
-    const std::int64_t dimension = info_.dimension;
-    const std::int64_t components = info_.spheres * dimension;
-    return Snapshot{
-        .step = row<std::int64_t>(file_, spheres_group + "position/step", n, 1).front(),
-        .time = row<double>(file_, spheres_group + "position/time", n, 1).front(),
-        .positions = row<double>(file_, spheres_group + "position/value", n, components),
-        .velocities = row<double>(file_, spheres_group + "velocity/value", n, components),
-        .box_edges =
-            row<double>(file_, spheres_group + "box/edges/value", n, dimension * dimension)};
+  const auto held = static_cast<std::int64_t>(block_.steps.size());
+  if (n < block_.first || n >= block_.first + held) read_block(n);
+  const std::int64_t at = n - block_.first;
+  const std::int64_t components = info_.spheres * info_.dimension;
+  const auto place = static_cast<std::size_t>(at);
+  return {
+      .step = block_.steps[place],
+      .time = block_.times[place],
+      .positions = row(block_.positions, at, components),
+      .velocities = row(block_.velocities, at, components),
+      .box_edges = row(block_.box_edges, at, info_.dimension * info_.dimension),
+      .images = has_images() ? row(block_.images, at, components) : std::vector<std::int32_t>{}};
+}
+
+void RunFile::read_block(std::int64_t first) const {
+  constexpr std::int64_t most_components = 65536;  // half a MiB of positions
+  const std::int64_t components = info_.spheres * info_.dimension;
+  const std::int64_t count = std::clamp<std::int64_t>(
+      most_components / components, 1, std::max<std::int64_t>(info_.snapshots - first, 1));
+  const auto read = [&](const std::string& name, std::int64_t size) {
+    return rows_of<double>(file_, spheres_group + name, first, count, size);
+  };
+  block_ = reading(path_, [&] {
+    using Images = std::vector<std::int32_t>;
+    const std::string images = spheres_group + "image/value";
+    return Block{
+        .first = first,
+        .steps = rows_of<std::int64_t>(file_, spheres_group + "position/step", first, count, 1),
+        .times = read("position/time", 1),
+        .positions = read("position/value", components),
+        .velocities = read("velocity/value", components),
+        .box_edges = read("box/edges/value", info_.dimension * info_.dimension),
+        .images = has_images() ? rows_of<std::int32_t>(file_, images, first, count, components)
+                               : Images{}};
   });
 }
 

@@ -35,9 +35,21 @@ class RunFile {
   std::optional<std::string> adjudication() const;
 
  private:
+  /// Snapshots that were read at once: one by one, small ones would take most of the time to find.
+  struct Block {
+    std::int64_t first = 0;
+    std::vector<std::int64_t> steps{};
+    std::vector<double> times{}, positions{}, velocities{}, box_edges{};
+    std::vector<std::int32_t> images{};
+  };
+
+  bool has_images() const;  ///< files of earlier programs have none
+  void read_block(std::int64_t first) const;
+
   std::filesystem::path path_;
   OutputInfo info_;
   hdf5::Handle file_;
+  mutable Block block_;
 };
 
 }  // namespace zenosphere

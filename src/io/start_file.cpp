@@ -6,28 +6,24 @@
 #include <cassert>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <mutex>
 #include <string>
 
+#include "flow/overlaps.hpp"
 #include "io/case_box.hpp"
 #include "io/case_rules.hpp"
 #include "io/case_speeds.hpp"
 #include "io/extended_xyz.hpp"
 #include "io/output_reader.hpp"
-#include "io/start_overlap.hpp"
 #include "model/errors.hpp"
+#include "model/offset.hpp"
 
 namespace zenosphere {
 namespace {
 
 [[noreturn]] void reject(const std::string& where, const std::string& text) {
   throw InputError(where + ": " + text);
-}
-
-std::vector<double> flat(const std::vector<std::vector<double>>& rows) {
-  std::vector<double> numbers;
-  for (const auto& row : rows) numbers.insert(numbers.end(), row.begin(), row.end());
-  return numbers;
 }
 
 /// `(1.2, -0.5, 2)`: where sphere `i` is.
@@ -60,20 +56,40 @@ void require_equal_sides(const std::vector<double>& found, const std::vector<dou
 
 GivenStart start_from_output(const Case& values, const std::string& file) {
   const int dimension = values.system.dimension;
-  LastSnapshot last = read_last_snapshot(file, dimension, values.system.spheres);
+  StoredSnapshot stored =
+      read_snapshot(file, dimension, values.system.spheres, values.start.snapshot);
   std::vector<double> sides;
+  double offset = 0;
   for (int row = 0; row < dimension; ++row) {
     for (int column = 0; column < dimension; ++column) {
-      const double edge = last.box_edges[static_cast<std::size_t>(row * dimension + column)];
+      const double edge = stored.box_edges[static_cast<std::size_t>(row * dimension + column)];
       if (row == column) sides.push_back(edge);
-      if (row == column || std::abs(edge) <= touching) continue;
-      reject(file, fmt::format("its box is sheared by an offset of {} diameters (a run starts from "
-                               "an upright box, whose images lie elsewhere); take the end of a run "
-                               "whose strain x height is a whole number of lengths",
+      const bool is_offset = row == 1 && column == 0;
+      if (is_offset) offset = edge;
+      if (row == column || is_offset || std::abs(edge) <= touching) continue;
+      reject(file, fmt::format("has the box edge {} beside the diagonal (only the second one may "
+                               "lean, along x); it may be damaged",
                                edge));
     }
   }
-  return {dimension, std::move(last.positions), std::move(last.velocities), std::move(sides)};
+  return {dimension, std::move(stored.positions), std::move(stored.velocities), std::move(sides),
+          offset};
+}
+
+/// The offset of the images reduced to half a side; none between walls along x or y.
+void reduce_offset(const Case& values, GivenStart& start, const std::string& file) {
+  if (!std::isfinite(start.offset)) {
+    reject(file, fmt::format("its box has an offset of {}; it may be damaged", start.offset));
+  }
+  start.offset = start.dimension > 1 ? reduced_offset(start.offset, start.sides[0]) : 0.0;
+  const auto closed = closed_axis(values);
+  if (!closed || *closed > 1) return;
+  if (std::abs(start.offset) > touching) {
+    reject(file, fmt::format("its images are displaced along x by {} diameters (the case has "
+                             "[walls] along {}); take the walls out, or start from an upright box",
+                             start.offset, axis_letter(*closed)));
+  }
+  start.offset = 0;
 }
 
 /// The boundaries that the file tells, if it does, are those of the case.
@@ -90,7 +106,7 @@ void require_equal_boundaries(const Case& values, const XyzFrame& frame, const s
 
 GivenStart start_from_text(const Case& values, const std::string& file) {
   const int dimension = values.system.dimension;
-  XyzFrame frame = read_last_frame(file, dimension, values.system.spheres);
+  XyzFrame frame = read_frame(file, dimension, values.system.spheres, values.start.snapshot);
   if (!values.start.granular_temperature) {
     if (frame.velocities.empty()) {
       reject(file, "has no velocities (a column velo:R:3); add them or start.granular_temperature");
@@ -103,7 +119,7 @@ GivenStart start_from_text(const Case& values, const std::string& file) {
   }
   require_equal_boundaries(values, frame, file);
   return {dimension, std::move(frame.positions), std::move(frame.velocities),
-          std::move(frame.sides)};
+          std::move(frame.sides), frame.offset};
 }
 
 /// Every centre in [1/2, L - 1/2] between walls, and elsewhere so near that it has its digits.
@@ -134,26 +150,34 @@ void require_within_reach(const Case& values, const GivenStart& start, const std
 void wrap(const Case& values, GivenStart& start) {
   const auto components = static_cast<std::size_t>(start.dimension);
   const double shear_rate = values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0;
-  for (std::size_t at = 0; at < start.positions.size(); ++at) {
+  for (std::size_t end = start.positions.size(); end > 0;
+       --end) {  // y before x, which it displaces
+    const std::size_t at = end - 1;
     const std::size_t axis = at % components;
     double& position = start.positions[at];
     const double side = start.sides[axis];
     if (closed_axis(values) == static_cast<int>(axis) || (position >= 0 && position < side)) {
       continue;
     }
-    const double shift = side * std::floor(position / side);
-    position = std::max(position - shift, 0.0);
+    const double periods = std::floor(position / side);
+    position = std::max(position - side * periods, 0.0);
     if (!(position < side)) position = 0;  // a tiny distance below the lower face
-    if (axis == 1 && !start.velocities.empty()) start.velocities[at - 1] -= shear_rate * shift;
+    if (axis != 1) continue;
+    start.positions[at - 1] -= periods * start.offset;
+    if (!start.velocities.empty()) start.velocities[at - 1] -= shear_rate * side * periods;
   }
 }
 
 void require_no_overlap(const Case& values, const GivenStart& start, const std::string& where) {
-  const auto pair = first_overlap(start.positions, start.sides, closed_axis(values));
-  if (!pair) return;
+  const Overlap deepest =
+      deepest_overlap({start.positions, start.sides, start.offset, closed_axis(values)});
+  // In a long box rounding leaves more: half an ulp for each coordinate and for the difference.
+  const double longest = *std::max_element(start.sides.begin(), start.sides.end());
+  const double rounding = 2 * std::numeric_limits<double>::epsilon() * longest;
+  if (deepest.depth <= std::max(touching, rounding)) return;
   reject(where,
          fmt::format("spheres {} and {} overlap (distance {:.13g} diameters); move them apart",
-                     pair->i, pair->j, pair->distance));
+                     deepest.i, deepest.j, 1 - deepest.depth));
 }
 
 /// Written velocities have been judged with the case.
@@ -164,6 +188,21 @@ void require_motion(const Case& values, const GivenStart& start, const std::stri
   reject(where,
          "all velocities are 0 (nothing would ever move); add start.granular_temperature or "
          "drive the spheres");
+}
+
+/// What the drive leaves of the digits of velocities that were read; those that are written have
+/// been judged with the case.
+void require_digits(const Case& values, const GivenStart& start, const std::string& where) {
+  if (values.start.arrangement != Arrangement::file || start.velocities.empty()) return;
+  const double speed = case_format::thermal_speed(values, start.positions, start.velocities);
+  Case as_drawn = values;
+  as_drawn.start.granular_temperature = speed * speed;
+  for (const auto& rule : case_format::speed_rules()) {
+    if (rule.keys.front() == "start.granular_temperature") continue;
+    if (const auto objection = rule.objection(as_drawn)) {
+      reject(where, fmt::format("its velocities are not for {} {}", rule.keys.front(), *objection));
+    }
+  }
 }
 
 /// No sphere that gravity holds on a wall without a speed. Hard spheres meet in instants: in a
@@ -200,8 +239,12 @@ GivenStart given_start(const Case& values) {
   const std::string where = is_written ? "start.positions" : file;
   GivenStart start;
   if (is_written) {
-    start = {
-        values.system.dimension, flat(values.start.positions), flat(values.start.velocities), {}};
+    using case_format::flat;
+    start = {values.system.dimension,
+             flat(values.start.positions),
+             flat(values.start.velocities),
+             {},
+             0};
   } else {
     // HDF5 is not made for threads, and such a file is read in a copy of the process first.
     static std::mutex one_at_a_time;
@@ -210,6 +253,7 @@ GivenStart given_start(const Case& values) {
     require_equal_sides(start.sides, box_sides(values), where);
   }
   start.sides = box_sides(values);
+  reduce_offset(values, start, where);
   if (values.start.granular_temperature) start.velocities.clear();
   const auto is_finite = [](double number) { return std::isfinite(number); };
   if (!std::all_of(start.velocities.begin(), start.velocities.end(), is_finite)) {
@@ -222,6 +266,7 @@ GivenStart given_start(const Case& values) {
   wrap(values, start);
   require_no_overlap(values, start, where);
   require_motion(values, start, where);
+  require_digits(values, start, where);
   require_no_lasting_contact(values, start, where);
   return start;
 }

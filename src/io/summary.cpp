@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "io/counted.hpp"
 #include "io/json.hpp"
 
 namespace zenosphere {
@@ -98,14 +99,14 @@ std::string line(std::string_view name, const std::string& value) {
   return fmt::format("  {:<24}{}\n", name, value);
 }
 
-std::string with_unit(double value, std::string_view unit) {
-  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+/// A mean of independent numbers is known to about one part in the root of how many they are: as
+/// many digits as that tells, and one more.
+int digits_of_averages(std::int64_t collisions) {
+  const double decades = std::log10(static_cast<double>(std::max<std::int64_t>(collisions, 1)));
+  return std::clamp(2 + static_cast<int>(decades / 2), 2, 6);
 }
 
-/// What there is only where spheres have met, or move.
-std::string with_unit_or_none(double value, std::string_view unit) {
-  return std::isnan(value) ? "none" : with_unit(value, unit);
-}
+std::string rounded(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
 
 /// What has ended the run, where that is no limit of its case and needs words.
 std::string end_sentence(const Summary& s) {
@@ -134,9 +135,11 @@ std::string run_lines(const Summary& s) {
 
 std::string separation_text(const Summary::Separation& separation) {
   if (!separation.first_collision) return "never met";
-  return fmt::format("{} hits, collisions {} to {}, first at time {:.6g}", separation.hits,
-                     *separation.first_collision, separation.last_collision.value_or(0),
-                     separation.first_time.value_or(0));
+  const std::int64_t first = *separation.first_collision;
+  const double time = separation.first_time.value_or(0);
+  if (separation.hits == 1) return fmt::format("1 hit, collision {}, at time {:.6g}", first, time);
+  return fmt::format("{} hits, collisions {} to {}, first at time {:.6g}", separation.hits, first,
+                     separation.last_collision.value_or(0), time);
 }
 
 /// The first few pairs; a cluster can have hundreds.
@@ -176,9 +179,9 @@ std::string dissected_line(std::string_view name, const Summary::Dissected& d) {
   const std::string factors = factor_text("gap", d.gap_ratio) +
                               factor_text("speed", d.speed_ratio) +
                               factor_text("flight", d.flight_ratio);
-  return line(name, fmt::format("{} spheres, a chain of {}, straightness {:.6g}{}{}", d.spheres,
-                                d.chain.size(), d.straightness, factors,
-                                factors.empty() ? "" : " per collision"));
+  return line(name, fmt::format("{}, a chain of {}, straightness {:.6g}{}{}",
+                                counted(d.spheres, "sphere"), d.chain.size(), d.straightness,
+                                factors, factors.empty() ? "" : " per collision"));
 }
 
 std::string anatomy_lines(const Summary::Anatomy& anatomy) {
@@ -200,38 +203,50 @@ std::string criteria_lines(const Summary& s) {
 std::string contact_line(const Summary::Contact& contact) {
   if (!contact.mean_restitution) return "";
   return line("mean restitution",
-              fmt::format("{:.6g} ({} collisions made elastic, {} rotated)",
-                          *contact.mean_restitution, contact.made_elastic, contact.rotated));
+              fmt::format("{:.6g} ({} made elastic, {} rotated)", *contact.mean_restitution,
+                          counted(contact.made_elastic, "collision"), contact.rotated));
 }
 
-std::string row_text(const std::vector<double>& values, std::size_t first, std::size_t count) {
-  std::string text;
-  for (std::size_t k = first; k < first + count; ++k) text += fmt::format("{:<14.6g}", values[k]);
-  return text.substr(0, text.find_last_not_of(' ') + 1);
-}
+/// Averages as lines, with so many digits.
+class AverageLines {
+ public:
+  explicit AverageLines(int digits) : digits_(digits) {}
 
-std::string average_lines(const Averages& a, std::size_t dimension) {
-  std::string text = fmt::format("averages from time {:.6g} to {:.6g}\n", a.from_time, a.to_time);
-  text += line("granular temperature", with_unit(a.granular_temperature, "(diameter/time)^2"));
-  text += line("  along each axis", row_text(a.temperature_diagonal, 0, dimension));
-  text += line("pressure", fmt::format("{:.6g}", a.pressure));
-  for (std::size_t row = 0; row < dimension; ++row) {
-    text +=
-        line(row == 0 ? "  tensor" : "", row_text(a.pressure_tensor, row * dimension, dimension));
+  std::string of(const Averages& a, std::size_t dimension) const {
+    std::string text = fmt::format("averages from time {:.6g} to {:.6g}\n", a.from_time, a.to_time);
+    text += number("granular temperature", a.granular_temperature, " (diameter/time)^2");
+    text += line("  along each axis", row(a.temperature_diagonal, 0, dimension));
+    text += number("pressure", a.pressure, "");
+    for (std::size_t n = 0; n < dimension; ++n) {
+      text += line(n == 0 ? "  tensor" : "", row(a.pressure_tensor, n * dimension, dimension));
+    }
+    text += number("compressibility factor", a.compressibility_factor, "");
+    text += number("collision rate", a.collision_rate, " per sphere and time");
+    text += number("normal speed", a.normal_speed, " diameter/time");
+    text += number("dissipation", a.dissipation, " per volume and time");
+    text += number("shear work", a.shear_work, " per volume and time");
+    if (a.other_work != 0) text += number("other work", a.other_work, " per volume and time");
+    if (!a.wall_pressure.empty()) {
+      text += line("wall pressure", row(a.wall_pressure, 0, a.wall_pressure.size()));
+    }
+    return text;
   }
-  text += line("compressibility factor", with_unit_or_none(a.compressibility_factor, ""));
-  text += line("collision rate", with_unit(a.collision_rate, "per sphere and time"));
-  text += line("normal speed", with_unit_or_none(a.normal_speed, "diameter/time"));
-  text += line("dissipation", with_unit(a.dissipation, "per volume and time"));
-  text += line("shear work", with_unit(a.shear_work, "per volume and time"));
-  if (a.other_work != 0) {
-    text += line("other work", with_unit(a.other_work, "per volume and time"));
+
+ private:
+  /// "none" for what there is only where spheres have met, or move.
+  std::string number(std::string_view name, double value, std::string_view unit) const {
+    return line(name, std::isnan(value) ? "none" : rounded(value, digits_) + std::string(unit));
   }
-  if (!a.wall_pressure.empty()) {
-    text += line("wall pressure", row_text(a.wall_pressure, 0, a.wall_pressure.size()));
+  std::string row(const std::vector<double>& values, std::size_t first, std::size_t count) const {
+    std::string text;
+    for (std::size_t k = first; k < first + count; ++k) {
+      text += fmt::format("{:<14}", rounded(values[k], digits_));
+    }
+    return text.substr(0, text.find_last_not_of(' ') + 1);
   }
-  return text;
-}
+
+  int digits_;
+};
 
 std::string cost_lines(const Summary& s) {
   constexpr double mebibyte = 1024.0 * 1024.0;
@@ -278,7 +293,8 @@ std::string to_text(const Summary& summary, int dimension, const std::string& ke
   text += anatomy_lines(summary.anatomy) + contact_line(summary.contact) + cost_lines(summary);
   if (summary.averages) {
     text += '\n';
-    text += average_lines(*summary.averages, static_cast<std::size_t>(dimension));
+    text += AverageLines(digits_of_averages(summary.collisions))
+                .of(*summary.averages, static_cast<std::size_t>(dimension));
   }
   return text;
 }

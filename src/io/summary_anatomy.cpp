@@ -30,7 +30,7 @@ std::optional<Summary::Dissected> in_short(const std::optional<Dissection>& diss
     result.exact_flight_ratio = exact->flight;
   }
   result.collapse_time = decay.collapse_time;
-  if (decay.collapse_time) result.collapse_time_error = decay.collapse_time_error;
+  if (decay.collapse_time) result.collapse_time_error = decay.error_since_start();
   return result;
 }
 

@@ -52,6 +52,12 @@ void read(const Json& object, const char* key, double& value) {
   value = member.is_null() ? std::numeric_limits<double>::quiet_NaN() : member.get<double>();
 }
 
+void read(const Json& values, std::vector<double>& row) {
+  for (const Json& value : values) {
+    row.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
+  }
+}
+
 void read_verdict(const Json& json, std::string& verdict) {
   constexpr std::array<std::string_view, 4> words{"none", "temporary", "open", "true"};
   read(json, "verdict", verdict);
@@ -78,11 +84,9 @@ std::optional<Averages> averages(const Json& json, int dimension) {
   if (json.at("to_time").is_null()) return std::nullopt;
   Averages averages;
   read(json, "granular_temperature", averages.granular_temperature);
-  read(json, "temperature_diagonal", averages.temperature_diagonal);
+  read(json.at("temperature_diagonal"), averages.temperature_diagonal);
   read(json, "pressure", averages.pressure);
-  for (const Json& row : json.at("pressure_tensor")) {
-    for (const Json& component : row) averages.pressure_tensor.push_back(component.get<double>());
-  }
+  for (const Json& row : json.at("pressure_tensor")) read(row, averages.pressure_tensor);
   read(json, "collision_rate", averages.collision_rate);
   read(json, "dissipation", averages.dissipation);
   read(json, "compressibility_factor", averages.compressibility_factor);
@@ -91,7 +95,7 @@ std::optional<Averages> averages(const Json& json, int dimension) {
   read(json, "shear_work", averages.shear_work);
   read(json, "normal_speed", averages.normal_speed);
   read(json, "other_work", averages.other_work);
-  read(json, "wall_pressure", averages.wall_pressure);
+  read(json.at("wall_pressure"), averages.wall_pressure);
   require_extents(averages, dimension);
   return averages;
 }

@@ -26,7 +26,7 @@ std::string arrest_sentence(const Summary& summary) {
       "again without separating, and time stands still at machine precision.";
   const std::int64_t others = summary.arrest.others_moving.value_or(0);
   if (others == 0) return text;
-  return text + fmt::format("\nIt is the time of all: {} other sphere{} still moving.", others,
+  return text + fmt::format("\nIt stands still for all: {} other sphere{} still moving.", others,
                             others == 1 ? " was" : "s were");
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "io/spelling.hpp"
-#include "io/start_overlap.hpp"
+#include "io/start_file.hpp"
 
 namespace zenosphere::xyz {
 namespace {
@@ -82,7 +82,7 @@ std::vector<std::string> words_of(std::string value) {
   return words;
 }
 
-std::vector<double> sides_in(std::string_view comment, int dimension, const Lines& lines) {
+Lattice lattice_in(std::string_view comment, int dimension, const Lines& lines) {
   const auto lattice = value_of("lattice", comment, lines);
   if (!lattice) {
     lines.reject(
@@ -96,17 +96,21 @@ std::vector<double> sides_in(std::string_view comment, int dimension, const Line
                     "Ly 0 0 0 Lz\"",
                     words.size()));
   }
-  std::vector<double> sides;
+  Lattice found;
   for (std::size_t n = 0; n < words.size(); ++n) {
     const double edge = finite_number(words[n], lines);
     const bool on_diagonal = n % 4 == 0;
-    if (!on_diagonal && std::abs(edge) > touching) {
+    const bool is_offset = n == 3 && dimension > 1;
+    if (is_offset) found.offset = edge;
+    if (!on_diagonal && !is_offset && std::abs(edge) > touching) {
       lines.reject(
-          fmt::format("Lattice has {} beside its diagonal (the box must be upright)", edge));
+          fmt::format("Lattice has {} beside its diagonal (only the second vector may "
+                      "lean, along x)",
+                      edge));
     }
-    if (on_diagonal && n / 4 < static_cast<std::size_t>(dimension)) sides.push_back(edge);
+    if (on_diagonal && n / 4 < static_cast<std::size_t>(dimension)) found.sides.push_back(edge);
   }
-  return sides;
+  return found;
 }
 
 std::vector<double> origin_in(std::string_view comment, int dimension, const Lines& lines) {
@@ -272,7 +276,7 @@ void require_unit(const std::string& name, double number, double expected, const
 }
 
 Header header_of(std::string_view comment, int dimension, const Lines& lines) {
-  Header header{.sides = sides_in(comment, dimension, lines),
+  Header header{.lattice = lattice_in(comment, dimension, lines),
                 .origin = origin_in(comment, dimension, lines),
                 .is_periodic = periodic_in(comment, lines),
                 .columns = columns_in(comment, dimension, lines)};

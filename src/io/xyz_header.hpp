@@ -34,9 +34,15 @@ struct Columns {
   std::optional<std::size_t> total;  ///< columns in all; none: more may follow
 };
 
+/// The box that Lattice tells.
+struct Lattice {
+  std::vector<double> sides;  ///< D, diameters
+  double offset = 0;          ///< of the second vector along x, diameters
+};
+
 /// What the second line of a frame tells.
 struct Header {
-  std::vector<double> sides;                       ///< D, diameters
+  Lattice lattice;
   std::vector<double> origin;                      ///< D, diameters: the lowest corner of the box
   std::optional<std::array<bool, 3>> is_periodic;  ///< none: not told
   Columns columns;

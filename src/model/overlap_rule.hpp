@@ -10,7 +10,7 @@ enum class OverlapRule {
               ///< rounding can have led there (longest_way_back); now if it lies further back
   immediate,  ///< collide now (Bannerman et al., Comput. Part. Mech. 1 (2014) 191)
   guarded,    ///< collide now if dr.dv < -guard, otherwise let them pass
-  stop,       ///< end the run before the collision
+  stop,       ///< end the run before the collision; those who touch at the start collide
 };
 
 }  // namespace zenosphere

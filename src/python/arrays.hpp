@@ -2,6 +2,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -22,9 +23,16 @@ pybind11::array owning_array(std::vector<T> values, std::vector<pybind11::ssize_
 }
 
 /// A table of so many columns.
-inline pybind11::array owning_table(std::vector<double> values, pybind11::ssize_t columns) {
+template <class T>
+pybind11::array owning_table(std::vector<T> values, pybind11::ssize_t columns) {
   const auto rows = static_cast<pybind11::ssize_t>(values.size()) / columns;
   return owning_array(std::move(values), {rows, columns});
+}
+
+/// The images of the spheres of a snapshot, or None where they are not known.
+inline pybind11::object owning_images(std::vector<std::int32_t> images, pybind11::ssize_t columns) {
+  if (images.empty()) return pybind11::none();
+  return owning_table(std::move(images), columns);
 }
 
 }  // namespace zenosphere

@@ -168,7 +168,8 @@ py::tuple DrivenRun::state() const {
                         owning_table(std::move(snapshot.positions), dimension),
                         owning_table(std::move(snapshot.velocities), dimension),
                         owning_table(std::move(state.peculiar_velocities), dimension),
-                        owning_table(std::move(snapshot.box_edges), dimension));
+                        owning_table(std::move(snapshot.box_edges), dimension),
+                        owning_images(std::move(snapshot.images), dimension));
 }
 
 }  // namespace zenosphere

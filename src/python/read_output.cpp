@@ -73,7 +73,8 @@ py::tuple ReadOutput::snapshot(std::int64_t n) const {
   return py::make_tuple(snapshot.step, snapshot.time,
                         owning_table(std::move(snapshot.positions), dimension_),
                         owning_table(std::move(snapshot.velocities), dimension_),
-                        owning_table(std::move(snapshot.box_edges), dimension_));
+                        owning_table(std::move(snapshot.box_edges), dimension_),
+                        owning_images(std::move(snapshot.images), dimension_));
 }
 
 }  // namespace zenosphere

@@ -19,7 +19,7 @@ Json json_of(const Decay& decay) {
             {"flight", json_of(decay.flight)},
             {"exact", nullptr},
             {"collapse_time", or_null(decay.collapse_time)},
-            {"collapse_time_error", decay.collapse_time_error}};
+            {"collapse_time_error", decay.error_since_start()}};
   if (decay.exact) {
     json["exact"] = {
         {"gap", decay.exact->gap}, {"speed", decay.exact->speed}, {"flight", decay.exact->flight}};

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/case_words.hpp"
+#include "io/counted.hpp"
 #include "model/errors.hpp"
 #include "run/arithmetic.hpp"
 #include "run/beginnings.hpp"
@@ -104,10 +105,10 @@ class Adjudicator {
       return {};
     }
     if (groups.empty()) {
-      throw InputError(
-          fmt::format("no separation hit in {} collisions: there is nothing to adjudicate; raise "
-                      "run.collisions or run.time, or choose another case",
-                      run.collisions()));
+      result_.is_without_hits = true;
+      result_.sentence = fmt::format("no two spheres have met the separation criterion in {}",
+                                     counted(run.collisions(), "collision"));
+      return {};
     }
     result_.first_hit = groups.front().first_hit;
     return groups;

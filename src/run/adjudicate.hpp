@@ -33,7 +33,8 @@ struct AdjudicationLimits {
 /// spheres before chaos parts them. That state is promoted: its numbers are the same in more
 /// digits.
 ///
-/// Throws InputError where the run has no separation hit within the limits of its case.
+/// A run without a separation hit within the limits of its case has no approaches: that is an
+/// answer, too.
 Adjudication adjudicate(const Case& values, const AdjudicationLimits& limits);
 
 }  // namespace zenosphere

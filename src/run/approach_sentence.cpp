@@ -23,6 +23,12 @@ std::string law_of(const JudgedApproach& judged) {
   return law;
 }
 
+/// A time in as many digits as a sentence bears.
+std::string shortened(const std::string& time) {
+  constexpr std::size_t most = 48;
+  return time.size() > most ? time.substr(0, most) + "..." : time;
+}
+
 /// Whether a fall by the same law can go on for ever.
 std::string end_of_law(const JudgedApproach& judged) {
   if (!judged.curvature) return "";
@@ -95,7 +101,7 @@ std::string sentence_of(const JudgedApproach& judged, const ApproachEvidence& ev
           "infinitely many collisions {}{}{}",
           who, judged.decades, precision, law_of(judged),
           judged.collapse_time
-              ? fmt::format("end at {} +- {:.1g}", *judged.collapse_time,
+              ? fmt::format("end at {} +- {:.1g}", shortened(*judged.collapse_time),
                             judged.uncertainty.value_or(0))
               : std::string("take a finite time, whose end could not be extrapolated"),
           end_of_law(judged),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -140,7 +141,8 @@ std::optional<Certificate> enclosed(const Case& values, const ClusterGaps<Dim, R
   const ClusterLimits limits{.decades = decades, .deadline = deadline, .interrupt = interrupt};
   const Certificate found = enclose_cluster(exact_spheres(in_space), restitution, limits);
   if (found.collisions == 0) return std::nullopt;
-  if (std::stod(found.upper) > least_time_to_reach(state, cluster)) return std::nullopt;
+  const double left = std::strtod(found.upper.c_str(), nullptr);  // 0 where it is below all doubles
+  if (left > least_time_to_reach(state, cluster)) return std::nullopt;
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "engine/patience.hpp"
 #include "engine/simulation.hpp"
 #include "io/case.hpp"
 #include "run/random_driving.hpp"
@@ -18,13 +19,6 @@ double last_moment(const Case& values) {
                   end_of_clock<Real>());
 }
 
-/// Events without a collision after which a run without run.time is given up.
-inline std::int64_t most_idle_events(std::int32_t spheres) {
-  constexpr std::int64_t at_least = std::int64_t{1} << 28;  // a minute or two
-  constexpr std::int64_t per_sphere = std::int64_t{1} << 20;
-  return at_least + per_sphere * spheres;
-}
-
 /// Why a run comes to no further collision, whatever its limits: as docs/summary.md names it, or
 /// nullptr where it may.
 template <int Dim, class Real>
@@ -34,6 +28,19 @@ const char* end_of_collisions(const Simulation<Dim, Real>& simulation,
   return simulation.is_at_rest() && !driving.is_on() ? "at rest" : nullptr;
 }
 
+/// Whether nobody has met for too long: for too many events, or kicks of a sphere.
+template <int Dim, class Real>
+bool is_given_up(const Simulation<Dim, Real>& simulation, const Case& values) {
+  constexpr double events_a_kick = 8;  // in work
+  const auto most = static_cast<double>(most_idle_events(simulation.spheres()));
+  auto events = static_cast<double>(simulation.idle_events());
+  if (values.drive.kind == DriveKind::random) {
+    const double kicks = simulation.time_since_collision() / values.drive.kick_interval;
+    events += events_a_kick * kicks * simulation.spheres();
+  }
+  return events > most;
+}
+
 /// Why a run is over by its time or that of its clock, or because nobody meets for too long, or
 /// until no digit of the places is left; nullptr where it is not.
 template <int Dim, class Real>
@@ -41,9 +48,10 @@ const char* end_of_time(const Simulation<Dim, Real>& simulation, const Case& val
   const auto& time = values.run.time;
   if (time && simulation.has_reached(*time)) return "time";
   if (simulation.has_reached(end_of_clock<Real>())) return "clock";
-  if (time || !simulation.is_idle()) return nullptr;
-  const bool is_too_long = simulation.idle_events() > most_idle_events(simulation.spheres());
-  return is_too_long || simulation.has_lost_places() ? "idle" : nullptr;
+  const bool may_be_idle = simulation.is_idle() || values.drive.kind == DriveKind::random;
+  if (time || !may_be_idle) return nullptr;
+  const bool has_lost = simulation.is_idle() && simulation.has_lost_places();
+  return has_lost || is_given_up(simulation, values) ? "idle" : nullptr;
 }
 
 }  // namespace zenosphere

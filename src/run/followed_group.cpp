@@ -196,7 +196,8 @@ class GroupExamination {
     if (ends.empty()) return;
     const auto [low, high] = std::minmax_element(ends.begin(), ends.end());
     const Real rounding = std::numeric_limits<Real>::epsilon() * ends.front();
-    seen.uncertainty = static_cast<double>(Real(*high - *low + rounding));
+    const auto range = static_cast<double>(Real(*high - *low + rounding));
+    seen.uncertainty = std::max(range, std::numeric_limits<double>::min());  // or it would be none
     seen.collapse_time = to_decimal(ends.front());
   }
 

@@ -1,14 +1,30 @@
 #include "run/recorder.hpp"
 
+#include <bit>
+#include <cstdint>
+#include <limits>
+
 #include "model/instantiate.hpp"
 #include "run/snapshot_of.hpp"
 
 namespace zenosphere {
+namespace {
+
+/// Intervals from one snapshot to the next where no time ends the run: a clock that leaps ahead of
+/// what cools would have no end of them. 1, but twice as many after each thousand snapshots.
+std::int64_t intervals_to_next(std::int64_t multiple) {
+  constexpr std::int64_t alike = 1000;
+  return static_cast<std::int64_t>(
+      std::bit_floor(static_cast<std::uint64_t>(multiple / alike + 1)));
+}
+
+}  // namespace
 
 template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file)
     : output_(values.output),
+      clock_is_limited_(values.run.time.has_value()),
       log_(values.collapse.gap_threshold.template in<Real>(), simulation.box().clock_unit()),
       file_(file) {
   take_snapshot(simulation);
@@ -18,6 +34,7 @@ template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file, ArchiveReader& archive)
     : output_(values.output),
+      clock_is_limited_(values.run.time.has_value()),
       log_(values.collapse.gap_threshold.template in<Real>(), simulation.box().clock_unit()),
       file_(file) {
   archive_members(*this, archive);
@@ -53,18 +70,26 @@ void Recorder<Dim, Real>::take_snapshot(const Simulation<Dim, Real>& simulation)
   file_.write(snapshot_of(simulation));
   last_snapshot_time_ = simulation.time();
   last_snapshot_step_ = simulation.collisions();
-  if (!output_.snapshot_interval) return;
-  while (simulation.has_reached(static_cast<double>(snapshots_) * *output_.snapshot_interval)) {
-    ++snapshots_;
-  }
+  schedule_snapshot();
+  while (simulation.has_reached(next_snapshot_)) schedule_next();
+}
+
+template <int Dim, class Real>
+void Recorder<Dim, Real>::schedule_next() {
+  snapshots_ += clock_is_limited_ ? 1 : intervals_to_next(snapshots_);
   schedule_snapshot();
 }
 
 /// Multiples of the interval, so that the times do not drift by rounding.
 template <int Dim, class Real>
 void Recorder<Dim, Real>::schedule_snapshot() {
-  if (!output_.snapshot_interval) return;
-  next_snapshot_ = static_cast<double>(snapshots_) * *output_.snapshot_interval;
+  constexpr auto most = static_cast<double>(std::int64_t{1} << 53);  // multiples are exact up to it
+  const auto multiple = static_cast<double>(snapshots_);
+  if (!output_.snapshot_interval || multiple >= most) {
+    next_snapshot_ = std::numeric_limits<double>::infinity();
+  } else {
+    next_snapshot_ = multiple * *output_.snapshot_interval;
+  }
 }
 
 template <int Dim, class Real>

@@ -48,12 +48,14 @@ class Recorder {
 
   void append(const CollisionRow& row);
   void schedule_snapshot();
+  void schedule_next();
 
   const Case::Output output_;
+  bool clock_is_limited_;  ///< by run.time
   LogRows<Dim, Real> log_;
   OutputFile& file_;
   std::optional<CollisionRow> waiting_;
-  std::int64_t snapshots_ = 0;  ///< of the regular ones
+  std::int64_t snapshots_ = 0;  ///< intervals from the start to the next regular one
   double next_snapshot_ = std::numeric_limits<double>::infinity();
   double last_snapshot_time_ = -1;
   std::int64_t last_snapshot_step_ = -1;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "io/case_file.hpp"
+#include "io/case_table.hpp"
 #include "io/case_words.hpp"
 #include "io/summary.hpp"
 #include "model/errors.hpp"
@@ -21,15 +22,25 @@ constexpr std::array changeable{"run.collisions",
                                 "output.checkpoint_seconds",
                                 "output.checkpoint_collisions"};
 
-void require_changeable(const std::string& override) {
+/// \param file  the output of the run
+void require_changeable(const std::string& override, const std::string& file) {
   std::string key = override.substr(0, override.find('='));
   key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
   if (std::find(changeable.begin(), changeable.end(), key) != changeable.end()) return;
+  const std::size_t dot = std::min(key.find('.'), key.size());
+  const std::string table = key.substr(0, dot);
+  const std::string name = key.substr(std::min(dot + 1, key.size()));
+  if (!case_format::key_named(table, name)) {
+    const case_format::Key* const meant = case_format::nearest_key(table, name);
+    throw InputError(fmt::format("--set {}: unknown key {}{}", override, key,
+                                 meant ? fmt::format("; did you mean {}?", meant->path()) : ""));
+  }
   throw InputError(fmt::format(
       "--set {}: cannot be changed in a run that has begun (only run.collisions, run.time, "
-      "collision.precision, collapse.stop_when_collapsed and output.checkpoint_* can); begin a new "
-      "run",
-      override));
+      "collision.precision, collapse.stop_when_collapsed and output.checkpoint_* can); to go on "
+      "from where it is, run its case with the change and, in place of all that is under [start], "
+      "arrangement = \"file\" and file = \"{}\"",
+      override, file));
 }
 
 std::string collisions_are_done(std::int64_t limit, std::int64_t collisions) {
@@ -105,7 +116,9 @@ void promote(const Case& before, const std::string& file, Case& values) {
 }  // namespace
 
 Case case_to_resume(const RecoveredOutput& output, std::span<const std::string> overrides) {
-  for (const std::string& override : overrides) require_changeable(override);
+  for (const std::string& override : overrides) {
+    require_changeable(override, output.path.string());
+  }
   Case values = parse_case(output.info.resolved_case, output.path.string(), overrides);
   values.text = output.info.case_text;
   promote(parse_case(output.info.resolved_case, output.path.string(), {}), output.path.string(),

@@ -158,17 +158,23 @@ class Run final : public SteppedRun {
       return;
     }
     // A longer run does not stop the clock at the end of this one: from here it can go on.
-    if (until >= last_moment<Real>(values_)) keep_the_end();
+    const bool is_end = until >= last_moment<Real>(values_);
+    if (is_end) keep_the_end();
     if (until >= end_of_clock<Real>()) {
       ended_by_ = "clock";
       return;
     }
     simulation_.wait_until(until);
+    if (is_end) kick_if_due();  // the last snapshot is of what the summary tells
     if (recorder_ && simulation_.has_reached(recorder_->next_snapshot())) {
       recorder_->take_snapshot(simulation_);
     }
-    if (simulation_.has_reached(driving_.next_kick()))
-      driving_.kick(simulation_, observers_.measurements());
+    kick_if_due();
+  }
+
+  void kick_if_due() {
+    if (!simulation_.has_reached(driving_.next_kick())) return;
+    driving_.kick(simulation_, observers_.measurements());
   }
 
   /// Now and then shows the progress, and makes sure that a killed run loses little.

@@ -38,7 +38,8 @@ template <int Dim, class Real>
 Configuration<Dim, Real> given_configuration(const Case& values, const ShearBox<Dim, Real>& box) {
   const GivenStart given = given_start(values);
   Configuration<Dim, Real> start{vectors<Dim, Real>(given.positions),
-                                 vectors<Dim, Real>(given.velocities)};
+                                 vectors<Dim, Real>(given.velocities),
+                                 from_decimal<Real>(given.offset)};
   if (values.start.granular_temperature) {
     Random random(values.start.seed);
     start.velocities = in_precision<Dim, Real>(

@@ -57,12 +57,13 @@ class Law {
   }
 
   /// Energy that a collision takes, mass diameter^2/time^2; a rotation takes none.
-  double loss(const CollisionRow& row) const {
+  Number loss(const CollisionRow& row) const {
     if (!(row.normal_speed > 0)) return 0;
-    if (loses_fixed_energy(row)) return static_cast<double>(fixed_loss_);
-    const auto e = static_cast<double>(restitution(row));
+    if (loses_fixed_energy(row)) return fixed_loss_;
+    const Number speed = row.normal_speed;
+    const Number e = restitution(row);
     // Two spheres: reduced mass 1/2. A wall does not give way.
-    return (1 - e * e) * row.normal_speed * row.normal_speed / (row.j >= spheres_ ? 2 : 4);
+    return (1 - e * e) * speed * speed / (row.j >= spheres_ ? 2 : 4);
   }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace zenosphere::verify {
 namespace {
@@ -123,10 +124,10 @@ void LogCheck::add(const CollisionRow& row) {
   dissipated_ += law_.loss(row);
 }
 
-std::optional<double> LogCheck::dissipated() const {
+std::optional<Law::Number> LogCheck::take_dissipated() {
   const bool walls_rub = values_.walls.axis && values_.walls.tangential_restitution != -1;
   if (walls_rub) return std::nullopt;
-  return dissipated_;
+  return std::exchange(dissipated_, 0);
 }
 
 void LogCheck::compare(const Summary& summary, Findings& findings) const {

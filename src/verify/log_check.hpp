@@ -34,9 +34,10 @@ class LogCheck {
   /// Compares with the summary of a log that holds every collision.
   void compare(const Summary& summary, Findings& findings) const;
 
-  /// Energy lost in the collisions up to now, mass diameter^2/time^2; nothing where walls take up
-  /// energy of which the log does not tell.
-  std::optional<double> dissipated() const;
+  /// Energy lost in the collisions since the last call, mass diameter^2/time^2: of a sum over all
+  /// of a gas that cools the last ones are rounding. Nothing where walls take up energy of which
+  /// the log does not tell.
+  std::optional<Law::Number> take_dissipated();
   std::int64_t collisions() const { return collisions_; }
 
  private:
@@ -57,7 +58,7 @@ class LogCheck {
   std::int64_t overlapped_ = 0;
   std::int64_t receding_ = 0;
   std::int64_t made_elastic_ = 0;
-  double dissipated_ = 0;
+  Law::Number dissipated_ = 0;
 };
 
 }  // namespace zenosphere::verify

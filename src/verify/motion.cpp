@@ -32,7 +32,8 @@ template <int Dim>
 Motion<Dim>::Motion(const Case& values, std::int64_t spheres)
     : closed_(zenosphere::closed_axis(values)),
       shear_rate_(in_precision(values.drive.shear_rate, values.collision.precision)),
-      rounding_(rounding_of(values.collision.precision)) {
+      rounding_(rounding_of(values.collision.precision)),
+      spheres_(static_cast<Number>(spheres)) {
   const std::vector<double> sides = box_sides(values);
   Number volume = 1;
   for (int axis = 0; axis < Dim; ++axis) {
@@ -55,14 +56,37 @@ Motion<Dim>::Motion(const Case& values, std::int64_t spheres)
 }
 
 template <int Dim>
-void Motion<Dim>::start(double time, double offset) {
+void Motion<Dim>::start(double time, double offset, const Vector& momentum) {
   start_time_ = time;
   start_offset_ = offset;
+  momentum_ = {};
+  add_momentum(momentum);
+}
+
+template <int Dim>
+void Motion<Dim>::add_momentum(const Vector& change) {
+  momentum_ += change;
+  Vector mean;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (is_free(axis)) mean[axis] = momentum_[axis] / spheres_;
+  }
+  drift_ = std::max(drift_, length(mean));
+}
+
+/// A bound on how fast the frame moves in which the engine follows the spheres: it drifts and falls
+/// with them all, so that one that rests in the laboratory is rounded as one that flies.
+template <int Dim>
+typename Motion<Dim>::Number Motion<Dim>::frame_speed(Number time) const {
+  Vector fall;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (is_free(axis)) fall[axis] = acceleration_[axis] * (time - start_time_);
+  }
+  return drift_ + length(fall);
 }
 
 template <int Dim>
 Body<Dim> Motion<Dim>::stored(const Vector& position, const Vector& velocity, double time) const {
-  const Number speed = length(velocity) + shear_rate_ * longest_;
+  const Number speed = length(velocity) + shear_rate_ * longest_ + frame_speed(time);
   return {position, velocity, time, storage_error_, 4 * double_rounding * speed};
 }
 
@@ -76,7 +100,7 @@ template <int Dim>
 Body<Dim> Motion<Dim>::moved(Body<Dim> body, Number time) const {
   const Number flight = time - body.time;
   body.position += body.velocity * flight + acceleration_ * (flight * flight / 2);
-  const Number speed = length(body.velocity);
+  const Number speed = length(body.velocity) + frame_speed(time);
   body.velocity += acceleration_ * flight;
   body.time = time;
   if (body.position_error == unknown) return body;
@@ -107,15 +131,6 @@ typename Motion<Dim>::Vector Motion<Dim>::without(const Vector& boxes, Vector be
   return between;
 }
 
-template <int Dim>
-typename Motion<Dim>::Vector Motion<Dim>::nearest(Vector between, Number time,
-                                                  Number& boxes_up) const {
-  const Vector boxes = boxes_to_nearest(between, time);
-  boxes_up = Dim > 1 ? boxes[Dim > 1 ? 1 : 0] : Number(0);
-  return without(boxes, between, time);
-}
-
-/// Displacement of the upper image of the box along x, unwrapped since the start of the replay.
 template <int Dim>
 typename Motion<Dim>::Number Motion<Dim>::image_offset(Number time) const {
   if constexpr (Dim == 1) return 0;

@@ -52,8 +52,15 @@ class Motion {
 
   Motion(const Case& values, std::int64_t spheres);
 
-  /// Says where the images are: the offset of the upper one at a time (of a snapshot).
-  void start(double time, double offset);
+  /// Says where the images are, and how fast the engine's frame may drift: as all spheres do.
+  ///
+  /// \param time      of a snapshot
+  /// \param offset    of the upper image then
+  /// \param momentum  of all spheres then
+  void start(double time, double offset, const Vector& momentum);
+
+  /// Notes that the momentum of all has changed: by walls or kicks.
+  void add_momentum(const Vector& change);
 
   /// The sphere of a snapshot, whose storage is its error.
   Body<Dim> stored(const Vector& position, const Vector& velocity, double time) const;
@@ -70,15 +77,13 @@ class Motion {
                        Number contact) const;
   Meeting<Dim> wall_meeting(const Body<Dim>& body, int wall, Number time) const;
 
-  /// The vector between two unwrapped places to the nearest image of the second.
-  ///
-  /// \param boxes_up  set to how many boxes above the image the second place is
-  Vector nearest(Vector between, Number time, Number& boxes_up) const;
-
   /// How many boxes lie between two unwrapped places whose nearest images are wanted, and the
   /// vector between them without these.
   Vector boxes_to_nearest(Vector between, Number time) const;
   Vector without(const Vector& boxes, Vector between, Number time) const;
+
+  /// Displacement of the upper image of the box along x, unwrapped since the start of the replay.
+  Number image_offset(Number time) const;
 
   /// Velocity along x of an image, against that of the place so many boxes above it.
   Number image_velocity(Number boxes_up) const;
@@ -96,7 +101,8 @@ class Motion {
   Number storage_error() const { return storage_error_; }
 
  private:
-  Number image_offset(Number time) const;
+  bool is_free(int axis) const { return shear_rate_ == 0 && closed_ != axis; }
+  Number frame_speed(Number time) const;
 
   Vector sides_;
   Vector acceleration_;
@@ -106,6 +112,9 @@ class Motion {
   Number longest_ = 0;        ///< side
   Number storage_error_ = 0;  ///< of a position in a snapshot
   Number event_error_ = 0;    ///< of a contact, by rounding of its prediction
+  Number spheres_;
+  Vector momentum_;
+  Number drift_ = 0;  ///< the largest mean velocity up to now along axes on which a frame may move
   Number start_time_ = 0;
   Number start_offset_ = 0;
 };

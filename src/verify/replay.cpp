@@ -45,7 +45,12 @@ void Replay<Dim>::start(const Snapshot& snapshot) {
   if (done_ != snapshot.step) last_.reset();
   done_ = snapshot.step;
   has_start_ = true;
-  motion_.start(snapshot.time, Dim > 1 ? snapshot.box_edges[Dim] : 0);
+  Vector momentum;
+  for (std::size_t at = 0; at < snapshot.velocities.size(); ++at) {
+    momentum[static_cast<int>(at % Dim)] += snapshot.velocities[at];
+  }
+  motion_.start(snapshot.time, Dim > 1 ? snapshot.box_edges[Dim] : 0, momentum);
+  images_ = snapshot.images;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Vector position;
     Vector velocity;
@@ -69,6 +74,7 @@ void Replay<Dim>::kick_until(double time) {
       Body<Dim>& body = bodies_[i];
       body = motion_.moved(body, when);
       body.velocity += changes[i];
+      motion_.add_momentum(changes[i]);
       // The mean of all changes is taken off, a sum of N rounded terms.
       body.velocity_error += 64 * motion_.rounding() * (length(body.velocity) + length(changes[i]));
     }
@@ -185,14 +191,15 @@ void Replay<Dim>::bounce(const CollisionRow& row, int wall) {
   const Precision precision = values_.collision.precision;
   const Number outward = wall == 0 ? -1 : 1;
   const Number tangential = in_precision(walls.tangential_restitution, precision);
-  const Number before = length(one.velocity);
+  const Vector before = one.velocity;
   one.velocity[axis] = -outward * law_.restitution(row) * row.normal_speed;
   for (int along = 0; along < Dim; ++along) {
     if (along == axis) continue;
     const double wall_speed = along != 0 ? 0.0 : wall == 0 ? walls.lower_speed : walls.upper_speed;
     one.velocity[along] = (1 + tangential) * wall_speed - tangential * one.velocity[along];
   }
-  const Number change = 2 * (before + length(one.velocity));
+  motion_.add_momentum(one.velocity - before);
+  const Number change = 2 * (length(before) + length(one.velocity));
   one.position_error += change * motion_.clock_error(row.time);
   one.velocity_error +=
       4 * double_rounding * change + length(motion_.acceleration()) * motion_.clock_error(row.time);
@@ -221,9 +228,9 @@ void Replay<Dim>::compare_sphere(std::int32_t i, const Snapshot& snapshot, Findi
     between[axis] += snapshot.positions[at];
     velocity[axis] += snapshot.velocities[at];
   }
-  Number boxes_up = 0;
-  const Number distance = length(motion_.nearest(between, snapshot.time, boxes_up));
-  velocity[0] -= motion_.image_velocity(boxes_up);
+  const Vector boxes = motion_.boxes_to_nearest(between, snapshot.time);
+  const Number distance = length(motion_.without(boxes, between, snapshot.time));
+  velocity[0] -= motion_.image_velocity(Dim > 1 ? boxes[Dim > 1 ? 1 : 0] : Number(0));
   const Number speed = length(expected.velocity) + motion_.shear_rate() * motion_.longest_side();
   const Number clock = 2 * motion_.clock_error(snapshot.time);
   const Number bound = expected.position_error + motion_.storage_error() + speed * clock;
@@ -243,6 +250,36 @@ void Replay<Dim>::compare_sphere(std::int32_t i, const Snapshot& snapshot, Findi
         "leads to (0 within {:.2g})",
         snapshot.step, i, static_cast<double>(length(velocity)),
         static_cast<double>(velocity_bound)));
+  } else {
+    compare_image(i, snapshot, boxes, findings);
+  }
+}
+
+/// The sphere has come through as many boxes as its flights since the start of the replay have led
+/// it through, and through those that it had come through before; along x also by what the offset
+/// of those above is reduced.
+///
+/// \param boxes  from where its flights lead to where the snapshot has it
+template <int Dim>
+void Replay<Dim>::compare_image(std::int32_t i, const Snapshot& snapshot, const Vector& boxes,
+                                Findings& findings) const {
+  if (images_.empty() || snapshot.images.empty()) return;
+  const std::size_t at = static_cast<std::size_t>(i) * Dim;
+  Vector expected = boxes * Number(-1);
+  for (int axis = 0; axis < Dim; ++axis) {
+    expected[axis] += images_[at + static_cast<std::size_t>(axis)];
+  }
+  if constexpr (Dim > 1) {
+    const Number reduced = motion_.image_offset(snapshot.time) - snapshot.box_edges[Dim];
+    expected[0] += expected[1] * std::round(reduced / motion_.sides()[0]);
+  }
+  for (int axis = 0; axis < Dim; ++axis) {
+    const std::int32_t image = snapshot.images[at + static_cast<std::size_t>(axis)];
+    if (static_cast<Number>(image) == expected[axis]) continue;
+    findings.add(
+        fmt::format("snapshot at collision {}: sphere {} has the image {} along axis {} "
+                    "(the log leads it to {})",
+                    snapshot.step, i, image, axis, static_cast<double>(expected[axis])));
   }
 }
 

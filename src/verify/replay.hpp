@@ -67,6 +67,8 @@ class Replay {
   void start(const Snapshot& snapshot);
   void compare(const Snapshot& snapshot, Findings& findings);
   void compare_sphere(std::int32_t i, const Snapshot& snapshot, Findings& findings);
+  void compare_image(std::int32_t i, const Snapshot& snapshot, const Vector& boxes,
+                     Findings& findings) const;
   void kick_until(double time);
   bool is_beside_a_kick(double time) const;
   Meeting<Dim> meeting_at(const CollisionRow& row, Number time, Number contact);
@@ -86,7 +88,8 @@ class Replay {
   std::int64_t criteria_version_;
   Motion<Dim> motion_;
   Law law_;
-  std::vector<Body<Dim>> bodies_;  ///< each at its last event
+  std::vector<Body<Dim>> bodies_;     ///< each at its last event
+  std::vector<std::int32_t> images_;  ///< of the snapshot where the replay has begun
   Kicks<Dim> kicks_;
   bool has_start_ = false;
   std::int64_t done_ = -1;            ///< collisions that the state knows; -1: it is not known

@@ -11,13 +11,16 @@
 namespace zenosphere::verify {
 
 /// The distance that the pair of a row had to close at the last change: in the image that it
-/// meets, or as far as it gets from the wall before it falls back.
+/// meets, or as far as it gets from the wall before it falls back. Nothing is said where it is not
+/// known which image that was: their places at contact tell.
 template <int Dim>
 typename Replay<Dim>::Gap Replay<Dim>::gap_before(const CollisionRow& row) {
   if (criteria_version_ < 2) return shortest_gap_before(row);
   const Meeting<Dim> then = meeting_at(row, last_change_, row.time);
   const Number flown = then.speed * motion_.clock_error(row.time);
   if (const auto side = wall(row.j)) return apex(then, *side);
+  const Meeting<Dim> contact = meeting_at(row, row.time, row.time);
+  if (!(contact.error <= motion_.shortest_side() / 4)) return {then.gap, Motion<Dim>::unknown};
   return {then.gap, then.error + flown + 4 * double_rounding * std::abs(then.gap)};
 }
 

@@ -15,12 +15,14 @@ namespace zenosphere::verify {
 /// motion, however long the time between them.
 class SnapshotCheck {
  public:
+  using Number = long double;  ///< squares of speeds of any double are numbers of it
+
   /// \param last_time  that of the file: nothing happens later
   SnapshotCheck(const Case& values, double last_time);
 
-  /// \param dissipated  energy lost in the collisions up to the snapshot, if the log tells
-  /// \return            whether a replay can begin here
-  bool observe(const Snapshot& snapshot, std::optional<double> dissipated, Findings& findings);
+  /// \param lost  energy, in the collisions since the snapshot before, if the log tells
+  /// \return      whether a replay can begin here
+  bool observe(const Snapshot& snapshot, std::optional<Number> lost, Findings& findings);
 
   /// Compares the last snapshot with the summary, and the energy of the whole run with its
   /// averages.
@@ -33,11 +35,12 @@ class SnapshotCheck {
   struct Sums {
     std::int64_t step = 0;
     double time = 0;
-    double kinetic = 0;              ///< of the peculiar velocities, sum of v.v/2
-    double potential = 0;            ///< of gravity
-    std::vector<double> momentum{};  ///< peculiar, D
-    double speeds = 0;               ///< sum of |v| over all components
-    std::optional<double> dissipated{};
+    Number kinetic = 0;                  ///< of the peculiar velocities, sum of v.v/2
+    Number potential = 0;                ///< of gravity
+    std::vector<Number> momentum{};      ///< peculiar, D
+    Number speeds = 0;                   ///< sum of |v| over all components
+    std::optional<Number> lost{};        ///< since the snapshot before
+    std::optional<Number> dissipated{};  ///< since the start, likewise
   };
 
   bool check_numbers(const Snapshot& snapshot, Findings& findings) const;
@@ -46,13 +49,14 @@ class SnapshotCheck {
   void check_momentum(const Sums& sums, Findings& findings) const;
   void check_energy(const Sums& sums, Findings& findings);
   bool energy_is_closed() const;
-  Sums sums_of(const Snapshot& snapshot, std::optional<double> dissipated) const;
+  Sums sums_of(const Snapshot& snapshot, std::optional<Number> lost) const;
 
   const Case& values_;
   double last_time_;
   std::vector<double> sides_;
   std::vector<double> acceleration_;
   std::optional<int> closed_;
+  double start_offset_ = 0;  ///< of the images, where a file tells it, diameters
   std::optional<Sums> first_;
   std::optional<Sums> last_;
   std::int64_t balances_ = 0;

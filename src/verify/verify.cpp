@@ -9,6 +9,8 @@
 
 #include "collapse/verdict.hpp"
 #include "io/case_file.hpp"
+#include "io/counted.hpp"
+#include "io/integrity.hpp"
 #include "io/rehearsal.hpp"
 #include "io/run_file.hpp"
 #include "io/summary.hpp"
@@ -74,8 +76,8 @@ class Verifier {
   void observe_snapshot() {
     // What the log has lost up to here is known only where it holds every collision up to here.
     const bool is_known = log_.collisions() == next_snapshot_->step;
-    const auto dissipated = is_known ? log_.dissipated() : std::nullopt;
-    if (snapshots_.observe(*next_snapshot_, dissipated, result_.findings)) {
+    const auto lost = is_known ? log_.take_dissipated() : std::nullopt;
+    if (snapshots_.observe(*next_snapshot_, lost, result_.findings)) {
       replay_.observe(*next_snapshot_, result_.findings);
     }
     read_snapshot();
@@ -135,8 +137,8 @@ class Verifier {
           "sphere is followed from a snapshot to its first collision only");
     }
     if (snapshots_.balances() > 0) {
-      notes.emplace_back(
-          fmt::format("energy balanced between {} pairs of snapshots", snapshots_.balances()));
+      notes.emplace_back(fmt::format("energy balanced between {} of snapshots",
+                                     counted(snapshots_.balances(), "pair")));
     }
     if (values_.drive.kind == DriveKind::random) {
       notes.emplace_back("kicks are not in the file; they were made again from the seed");
@@ -160,9 +162,10 @@ class Verifier {
 void require_fitting(const std::filesystem::path& path, const OutputInfo& info,
                      const Case& values) {
   if (values.system.spheres != info.spheres || values.system.dimension != info.dimension) {
-    throw InputError(fmt::format(
-        "{}: has {} spheres in {} dimensions (its case has {} in {}); it is damaged", path.string(),
-        info.spheres, info.dimension, values.system.spheres, values.system.dimension));
+    throw InputError(fmt::format("{}: has {} in {} (its case has {} in {}); it is damaged",
+                                 path.string(), counted(info.spheres, "sphere"),
+                                 counted(info.dimension, "dimension"), values.system.spheres,
+                                 values.system.dimension));
   }
   // Some hours; no run has made as many.
   constexpr double most_kicks = 1e12;
@@ -172,9 +175,8 @@ void require_fitting(const std::filesystem::path& path, const OutputInfo& info,
     return;
   }
   throw InputError(
-      fmt::format("{}: ends at time {} (that is {:.3g} kicks of {} spheres, too many "
-                  "to make again)",
-                  path.string(), info.last_time, kicks, info.spheres));
+      fmt::format("{}: ends at time {} (that is {:.3g} kicks of {}, too many to make again)",
+                  path.string(), info.last_time, kicks, counted(info.spheres, "sphere")));
 }
 
 /// The precision that a run began with, as far as its case file tells: `resume` can raise it.
@@ -198,15 +200,7 @@ Verification verification_of(const RunFile& file, Case values) {
   return Verifier<Dim>(file, values, loosest_threshold).go();
 }
 
-}  // namespace
-
-Verification verify_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path, ignored));
-  rehearse(path, std::max<std::int64_t>(bytes, 0), [&] { read_everything(path); });
-  const RunFile file(path);
-  const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
-  require_fitting(path, file.info(), values);
+Verification verification_of(const RunFile& file, const Case& values) {
   switch (file.info().dimension) {
     case 1:
       return verification_of<1>(file, values);
@@ -215,6 +209,21 @@ Verification verify_file(const std::filesystem::path& path) {
     default:
       return verification_of<3>(file, values);
   }
+}
+
+}  // namespace
+
+Verification verify_file(const std::filesystem::path& path) {
+  const Integrity integrity = checked_integrity(path);
+  std::error_code ignored;
+  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path, ignored));
+  rehearse(path, std::max<std::int64_t>(bytes, 0), [&] { read_everything(path); });
+  const RunFile file(path);
+  const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
+  require_fitting(path, file.info(), values);
+  Verification result = verification_of(file, values);
+  result.notes.push_back("checksums " + sentence(integrity));
+  return result;
 }
 
 std::string to_text(const Verification& verification, const std::string& file) {
@@ -233,8 +242,9 @@ std::string to_text(const Verification& verification, const std::string& file) {
                   coverage.replayed, coverage.within[0], coverage.within[1]);
   text += fmt::format("  beyond predictability   {}\n", coverage.beyond);
   text += fmt::format("  without a way there     {}\n", coverage.unreached);
-  text += fmt::format("  snapshots compared      {} ({} spheres, {} more beyond predictability)\n",
-                      coverage.snapshots, coverage.spheres, coverage.lost_spheres);
+  text +=
+      fmt::format("  snapshots compared      {} ({}, {} more beyond predictability)\n",
+                  coverage.snapshots, counted(coverage.spheres, "sphere"), coverage.lost_spheres);
   for (const std::string& note : verification.notes) text += fmt::format("  {}\n", note);
   return text;
 }

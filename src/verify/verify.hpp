@@ -20,9 +20,9 @@ struct Verification {
 
 /// Checks an output file against itself: the collision log against the snapshots by a replay with
 /// its own arithmetic, the summary against the log by counting and by running the criteria again,
-/// energy and momentum between snapshots.
+/// energy and momentum between snapshots. Before that its bytes are compared with its checksums.
 ///
-/// Throws InputError where the file cannot be read, or its case.
+/// Throws InputError where the file cannot be read, or its case, and where it is damaged.
 Verification verify_file(const std::filesystem::path& path);
 
 /// For people: the contradictions, one a line, and how far each kind of check got.

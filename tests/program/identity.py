@@ -47,6 +47,8 @@ def same_content(name, a, b):
         return False
     if isinstance(a, h5py.Group):
         return isinstance(b, h5py.Group)
+    if name == "zenosphere/checksums":  # those of wall times differ
+        return True
     if name == "zenosphere/summary":
         return summary(a.file) == summary(b.file)
     return same_values(a[()], b[()])

@@ -16,6 +16,7 @@ class Recorded:
             spheres = file["particles/spheres"]
             self.position = in_space(spheres["position/value"][()])
             self.velocity = in_space(spheres["velocity/value"][()])
+            self.image = in_space(spheres["image/value"][()])
             self.edges = spheres["box/edges/value"][()]
             self.step = spheres["position/step"][()]
             self.time = spheres["position/time"][()]

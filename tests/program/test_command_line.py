@@ -6,6 +6,8 @@ import tomllib
 
 import pytest
 
+from conftest import CHECKOUT
+
 
 def commands_in(help_text):
     """The first word of each line below `Subcommands:`."""
@@ -30,6 +32,21 @@ def test_help_of_run_names_every_option_of_the_interface(program):
     text = program("run", "--help").stdout
     options = ["-o", "--set", "--json", "--quiet", "--overwrite", "--fail-on-collapse"]
     assert all(option in text for option in options)
+
+
+def test_citation_names_version_and_year(program):
+    citation = (CHECKOUT / "CITATION.cff").read_text()
+    version = re.search("^version: (.*)$", citation, re.M)[1]
+    year = re.search("^date-released: (....)", citation, re.M)[1]
+    text = program("--cite").stdout
+    assert f"The Zenosphere authors ({year}). Zenosphere: " in text and f"Version {version}," in text
+    entry = program("--cite", "bibtex").stdout
+    assert entry.startswith("@software{zenosphere,") and entry.endswith("}\n}\n")
+    assert f"version = {{{version}}}," in entry and f"year    = {{{year}}}," in entry
+
+
+def test_citation_in_an_unknown_format_is_one_line(program):
+    assert program.fail("--cite", "ris") == ["--cite ris: is no format (must be bibtex, or nothing)"]
 
 
 def test_version_is_a_line_with_three_numbers(program):
@@ -98,6 +115,25 @@ def test_word_that_is_not_understood_is_repeated(program, words):
 ])
 def test_wrong_command_line_is_told_in_one_line_of_our_grammar(program, words, told):
     assert program.fail(*words.split()) == [told]
+
+
+@pytest.mark.parametrize("command", ["figures", "report-md", "cooling", "movie", "ensemble"])
+def test_manual_of_a_command_in_python_has_the_options_that_it_takes(program, command):
+    manual = program("manual", command).stdout.replace("\\-", "-").split(".SH DESCRIPTION")[0]
+    taken = program(command, "--help").stdout.split("options:")[1]
+    options = set(re.findall(r"^  (?:-o \S+, )?(--[\w-]+)", taken, re.MULTILINE))
+    assert set(re.findall(r"--[\w-]+", manual)) | {"--output"} == options | {"--output"}
+    assert ("[-o " in manual) == ("--output" in options)
+
+
+def test_exit_codes_are_told_where_they_can_be(program):
+    def codes(*command):
+        text = program(*command, "--help").stdout.split("Exit codes:")[1]
+        return set(re.findall(r"^\s*(\d+) ", text, re.MULTILINE))
+    assert codes("run") == codes("resume") == {"0", "1", "2", "3", "4", "130"}
+    assert codes("sweep") == {"0", "1", "2", "4", "130"}
+    assert codes("info") == codes("verify") == codes("sweep", "show") == {"0", "1", "2"}
+    assert codes("export") == {"0", "1", "2", "4"}
 
 
 def test_help_of_a_command_is_a_command_too(program):

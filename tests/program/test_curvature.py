@@ -30,6 +30,15 @@ def approach(program, restitution, *options, middle=20.001):
     return result["approaches"][0]
 
 
+# A round multiplies closing speeds by x1 and gaps by x2, the roots of x^2 - (1 + e)/2 x + e = 0: the
+# margin changes by 1 - 2 ln x1 / ln x2 for each decade of the gap.
+@pytest.mark.parametrize("restitution, change", [(0.03, 0.40609), (0.05, 0.11871),
+                                                 (0.065, -0.28665)])
+def test_change_of_the_margin_is_that_of_theory(program, restitution, change):
+    curvature = approach(program, restitution, "--up-to", "digits100")["curvature"]
+    assert curvature["margin_per_decade"] == pytest.approx(change, abs=0.015)
+
+
 @pytest.mark.parametrize("restitution, dies_out", [(0.05, True), (0.0555, True), (0.056, False),
                                                    (0.06, False)])
 def test_curvature_dies_out_below_the_threshold_of_a_bent_row_only(program, restitution, dies_out):
@@ -50,3 +59,9 @@ def test_sentence_of_a_fall_that_gives_way_names_the_digits_that_would_show_it(p
     assert fallen["finding"] == "singular", fallen["sentence"]
     assert "curvature of the contacts grows" in fallen["sentence"]
     assert "--up-to digits800 would show" in fallen["sentence"]
+
+
+def test_fall_below_the_range_of_double_is_judged_like_any_other(program):
+    fallen = approach(program, 0.03, "--up-to", "digits1000")
+    assert fallen["finding"] == "singular" and fallen["decades"] > 990
+    assert fallen["uncertainty"] > 0

@@ -91,6 +91,22 @@ def test_spheres_of_a_lammps_dump_are_numbered_from_1(export, sheared):
     assert [int(line.split()[0]) for line in lines[9:]] == list(range(1, 109))
 
 
+def test_images_of_a_lammps_dump_lead_to_where_the_spheres_have_come(export, sheared):
+    run = Recorded(sheared[1])
+    lines = iter(export(sheared[1], "lammps").read_text().splitlines())
+    for n in range(len(run.time)):
+        head = [next(lines) for _ in range(9)]
+        columns = head[8].removeprefix("ITEM: ATOMS ").split()
+        table = np.array([next(lines).split() for _ in range(108)], dtype=float)
+        place, flags = (table[:, [columns.index(name) for name in names.split()]]
+                        for names in ("x y z", "ix iy iz"))
+        tilt = float(head[5].split()[2])
+        cell = np.array([[SIDE, 0, 0], [tilt, SIDE, 0], [0, 0, SIDE]])
+        expected = run.position[n] + run.image[n] @ run.cell(n)
+        assert np.allclose(place + flags @ cell, expected, rtol=1e-14, atol=1e-13)
+    assert np.abs(run.image[-1]).max(axis=0).min() > 0
+
+
 def test_lammps_box_leans_by_at_most_half_a_side_and_holds_every_sphere(export, sheared):
     frames = in_ase(export(sheared[1], "lammps"), "lammps-dump-text", units="ASE")
     leaning = [frame.cell[1, 0] / SIDE for frame in frames]

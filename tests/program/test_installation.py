@@ -78,6 +78,8 @@ def completed(prefix, *words):
 @pytest.mark.parametrize("words, offered", [
     (["adj"], "adjudicate"), (["run", "--over"], "--overwrite"), (["sweep", "cs"], "csv"),
     (["sweep", "show", "--r"], "--run"), (["export", "run.h5", "--format", "ext"], "extxyz"),
+    (["adjudicate", "run.h5", "--up-to", "qu"], "quad"), (["new", "shea"], "sheared"),
+    (["examples", "haff"], "haff-1983-cooling"),
 ])
 def test_bash_completes_commands_options_and_choices(prefix, words, offered):
     assert completed(prefix, *words) == [offered]

@@ -48,6 +48,18 @@ def test_unknown_name_is_refused_with_where_the_list_is(program):
     assert "run zenosphere new for the list" in "".join(program.fail("new", "nonsense"))
 
 
+@pytest.mark.parametrize("command, typed, meant", [
+    ("new", "sheered", "sheared"), ("examples", "shear-e6", "shear-e06"),
+])
+def test_name_that_is_nearly_right_is_guessed(program, command, typed, meant):
+    assert f"; did you mean {meant}? " in "".join(program.fail(command, typed))
+
+
+def test_title_of_an_example_is_not_cut_at_an_abbreviation(program):
+    titles = [line.strip() for line in program("examples").stdout.splitlines()[1:]]
+    assert titles and not any(title.endswith((" Phys", " Rev", " J")) for title in titles)
+
+
 def test_case_is_read_from_standard_input(program, tmp_path):
     text = (EXAMPLES / "new" / "rods.toml").read_text()
     done = program("run", "-", "--json", "--quiet", input=text)

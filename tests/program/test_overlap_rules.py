@@ -105,6 +105,20 @@ def test_stop_ends_at_the_first_overlap_with_the_state_saved(program):
         assert position["time"][-1] == summary["time"]
 
 
+@pytest.mark.parametrize("name", RULES)
+def test_spheres_that_touch_at_the_start_collide_whatever_the_rule(program, name):
+    # The first two touch: they collide at 0, speeds (1 - e)/2 = 1/4 and (1 + e)/2 = 3/4; the second
+    # meets the third, a gap of 2 away, at 2/(3/4 + 1).
+    program.case.write_text(
+        "[system]\ndimension = 1\nspheres = 3\nrestitution = 0.5\nsides = [10]\n"
+        '[start]\narrangement = "given"\npositions = [2, 3, 6]\nvelocities = [1, 0, -1]\n'
+        f'[drive]\nkind = "none"\n[collision]\noverlap = "{name}"\n[run]\ncollisions = 2\n')
+    summary, path = program.keep()
+    assert summary["ended_by"] == "collisions"
+    np.testing.assert_allclose(read_log(path)["time"], [0, 2 / 1.75], rtol=4e-16)
+    program("verify", path)
+
+
 def test_run_stopped_by_an_overlap_does_not_deny_that_spheres_came_close(program):
     summary = program.run(rule("stop"))
     assert summary["ended_by"] == "overlap"

@@ -9,6 +9,7 @@ import subprocess
 
 import h5py
 import pytest
+from conftest import forged
 
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1
 
@@ -80,7 +81,7 @@ def test_checkpoint_from_somebody_else_does_no_harm(program):
         changed = bytearray(state)
         for _ in range(dice.randint(1, 3)):
             changed[dice.randrange(len(changed))] = dice.choice([0, 1, 0x7F, 0x80, 0xFF])
-        with h5py.File(program.folder / "out.h5", "r+") as file:
+        with forged(program.folder / "out.h5") as file:
             file["zenosphere/checkpoint/state"][()] = list(changed)
             file["zenosphere/checkpoint"].attrs["checksum"] = crc32c(changed)
         (program.folder / "copy.h5").write_bytes((program.folder / "out.h5").read_bytes())

@@ -6,8 +6,8 @@ import resource
 import signal
 import subprocess
 
-import h5py
 import pytest
+from conftest import forged
 from identity import differences
 
 LINE = {"system.dimension": 1, "system.spheres": 20, "start.arrangement": "random",
@@ -197,7 +197,7 @@ def test_run_that_cannot_go_on_says_why(program, changes, words, part):
 
 def test_output_without_a_checkpoint_says_so(program):
     program.keep()
-    with h5py.File(program.folder / "out.h5", "r+") as file:
+    with forged(program.folder / "out.h5") as file:
         del file["zenosphere/checkpoint"]
     (line,) = program.fail("resume", "out.h5", "--set", "run.collisions=3000")
     assert line.startswith("out.h5: holds no checkpoint")
@@ -209,7 +209,7 @@ def test_output_without_a_checkpoint_says_so(program):
 ])
 def test_damaged_checkpoint_is_one_line(program, change, part):
     program.keep()
-    with h5py.File(program.folder / "out.h5", "r+") as file:
+    with forged(program.folder / "out.h5") as file:
         state = file["zenosphere/checkpoint/state"][()].tobytes()
         file["zenosphere/checkpoint/state"].resize((len(change(state)),))
         file["zenosphere/checkpoint/state"][()] = list(change(state))
@@ -258,7 +258,7 @@ def test_info_tells_the_state_of_a_killed_run_at_its_last_checkpoint(program):
 
 def test_run_that_a_self_check_ended_is_not_resumed(program):
     program.keep()
-    with h5py.File(program.folder / "out.h5", "r+") as file:
+    with forged(program.folder / "out.h5") as file:
         summary = json.loads(file["zenosphere/summary"][()])
         summary["self_check"] = "after collision 7: the energy ledger is open"
         del file["zenosphere/summary"]

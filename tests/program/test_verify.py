@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 import pytest
 
-from conftest import CHECKOUT
+from conftest import CHECKOUT, forged
 
 EVERYTHING = ["--set", "output.snapshot_interval=0.05"]
 
@@ -33,13 +33,13 @@ def replayed(program, file="out.h5"):
 
 
 def changed(file, dataset, index, change):
-    with h5py.File(file, "r+") as run:
+    with forged(file) as run:
         run[dataset][index] = change(run[dataset][index])
 
 
 def with_summary(file, **changes):
     """Writes other values into the summary; a value that is a dict changes part of an object."""
-    with h5py.File(file, "r+") as run:
+    with forged(file) as run:
         summary = json.loads(run["zenosphere/summary"][()])
         for key, value in changes.items():
             summary[key] = summary[key] | value if isinstance(value, dict) else value
@@ -49,7 +49,7 @@ def with_summary(file, **changes):
 
 def without_row(file, row, renumbered):
     """Takes a row out of the log, with its number or as if it had never been."""
-    with h5py.File(file, "r+") as run:
+    with forged(file) as run:
         for column in run["collisions"].values():
             values = np.delete(column[()], row)
             column.resize(values.shape)
@@ -104,6 +104,12 @@ def test_one_component_in_a_snapshot(program, finished, dataset):
     assert "sphere 17" in findings(program)[0]
 
 
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_the_image_of_a_sphere_in_a_snapshot(program, finished, axis):
+    changed(finished, "particles/spheres/image/value", (3, 17, axis), lambda value: value + 1)
+    assert "sphere 17 has the image" in findings(program)[0]
+
+
 def test_a_missing_row(program, finished):
     without_row(finished, 700, renumbered=False)
     assert findings(program)[0].startswith("out.h5: collision 702: follows 700 in the log")
@@ -143,7 +149,7 @@ def test_a_file_that_names_no_criteria_is_counted_by_those_of_older_versions(pro
     case = CHECKOUT / "examples" / "kadanoff-1999-bouncing-ball.toml"
     program("run", case, "--quiet", "-o", "out.h5")
     assert findings(program, code=0) == []
-    with h5py.File(program.folder / "out.h5", "r+") as run:
+    with forged(program.folder / "out.h5") as run:
         assert run["zenosphere"].attrs["criteria_version"] == 2
         del run["zenosphere"].attrs["criteria_version"]
     assert "gap = 0.28125" in findings(program)[0]  # 0.75^2 / 2, the apex
@@ -198,7 +204,7 @@ def test_contact_models_are_replayed_and_counted(program, words):
 def test_viscoelastic_constant_of_another_run(program):
     program.case.write_text(program.case.read_text().replace("restitution = 0.9\n", ""))
     program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING, *VISCOELASTIC)
-    with h5py.File(program.folder / "out.h5", "r+") as run:
+    with forged(program.folder / "out.h5") as run:
         case = run["zenosphere/resolved"][()].decode()
         assert "viscoelastic_constant = 0.3 " in case
         del run["zenosphere/resolved"]
@@ -209,7 +215,7 @@ def test_viscoelastic_constant_of_another_run(program):
 def test_fixed_loss_of_another_run(program):
     program.case.write_text(program.case.read_text().replace("restitution = 0.9\n", ""))
     program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING, *FIXED_LOSS)
-    with h5py.File(program.folder / "out.h5", "r+") as run:
+    with forged(program.folder / "out.h5") as run:
         case = run["zenosphere/resolved"][()].decode()
         assert "energy_loss = 0.1 " in case
         del run["zenosphere/resolved"]

@@ -9,9 +9,10 @@ from synthetic_store import write_store
 
 from zenosphere.__main__ import main
 from zenosphere.ensemble import Ensemble
-from zenosphere.ensemble_figures import _heading
+from zenosphere.ensemble_figures import _heading, _probabilities
 from zenosphere.ensemble_slices import chosen_parts, slices
 from zenosphere.errors import InputError
+from zenosphere.pictures import Pictures
 
 AXES = {"system.restitution": (0.1, 0.3, 0.5), "system.spheres": (100, 200)}
 
@@ -171,3 +172,15 @@ def test_reading_leaves_the_store_as_it_is(tmp_path):
     before = store.read_bytes()
     assert np.all(Ensemble(store).counts().runs == 10)
     assert store.read_bytes() == before
+
+
+def test_series_lie_side_by_side_between_the_points(tmp_path):
+    axes = {"system.restitution": (0.1, 0.3, 0.5), "system.solids_volume_fraction": (0.2, 0.3),
+            "system.spheres": (100, 200, 300)}
+    store = Ensemble(write_store(tmp_path / "s.sqlite", axes, graded, seeds=1))
+    part, = slices(store, chosen_parts(store))
+    curves = [each for each in _probabilities(part, Pictures()).axes[0].lines
+              if each.get_linestyle() == "-"]
+    places = np.sort(np.concatenate([curve.get_xdata() for curve in curves]))
+    assert len(places) == 9
+    assert np.diff(places).min() > 0.2 * 0.15  # bars of 1.5 pixels stay apart

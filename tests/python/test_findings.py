@@ -76,6 +76,17 @@ def test_map_shows_every_kind_that_occurs_within_1400_pixels(store, tmp_path):
         assert tuple(int(colour[place:place + 2], 16) for place in (1, 3, 5)) in seen
 
 
+def test_legend_of_an_incomplete_map_says_what_hatching_means(tmp_path, store):
+    def last_waits(keys, replica):
+        return "pending" if replica == 0 else by_replica(keys, replica)
+    incomplete = write_store(tmp_path / "i.sqlite", AXES, last_waits, seeds=len(OUTCOMES),
+                             adjudicated=True)
+    texts = [[text.get_text() for text in drawn(each).subfigs[1].legends[0].get_texts()]
+             for each in (store, incomplete)]
+    assert not any("hatched" in text for text in texts[0])
+    assert texts[1][-1] == "hatched: only some of the runs of this point are done"
+
+
 def test_table_of_a_store_without_margins_says_nothing_of_the_curvature(store):
     with sqlite3.connect(store) as database:
         database.execute("ALTER TABLE run DROP COLUMN adjudication_margin_per_decade")

@@ -54,10 +54,47 @@ def test_snapshots_are_the_states_that_the_run_passed(kept):
             assert np.array_equal(state.positions, spheres["position/value"][n])
             assert np.array_equal(state.velocities, spheres["velocity/value"][n])
             assert np.array_equal(state.box_edges, spheres["box/edges/value"][n])
+            assert np.array_equal(state.images, spheres["image/value"][n])
         for state, known in ((snapshots[0], first), (snapshots[-1], last)):
             assert np.array_equal(state.positions, known.positions)
             # A profile of 2 x 2.9 is taken off again: ulps of 6.
             assert np.allclose(state.peculiar_velocities, known.peculiar_velocities, rtol=0, atol=4e-15)
+
+
+def test_unwrapped_positions_move_with_the_velocities_of_the_flow(tmp_path):
+    case = zenosphere.Case(SHEARED)
+    with zenosphere.Run(case) as run:
+        for _ in range(50):
+            before = run.state()
+            run.advance(20)
+            after = run.state()
+            moved = np.abs(after.unwrapped_positions - before.unwrapped_positions)[:, 1:]
+            fastest = max(np.abs(state.velocities[:, 1:]).max() for state in (before, after))
+            # A sphere whose speed has grown and fallen within 20 collisions may be somewhat faster.
+            assert moved.max() <= 3 * fastest * (after.time - before.time)
+    assert np.any(after.images)
+
+
+def test_file_without_images_says_so(kept):
+    path = kept[0]
+    with h5py.File(path, "r+") as file:
+        del file["particles/spheres/image"]
+    state = zenosphere.open(path).snapshots[0]
+    assert state.images is None
+    with pytest.raises(zenosphere.InputError, match="no images of the spheres"):
+        state.unwrapped_positions
+
+
+def test_adjudication_that_the_file_holds_is_shown(tmp_path):
+    path = tmp_path / "run.h5"
+    with zenosphere.Run(zenosphere.Case(SHEARED, overrides=COLLAPSING), output=path) as run:
+        run.advance()
+    assert zenosphere.open(path).adjudication is None
+    told = program("adjudicate", path, "--json", "--quiet", "--groups", "1", "--up-to", "quad")
+    done = json.loads(told.splitlines()[-1])
+    assert zenosphere.open(path).adjudication == done
+    told = program("info", path)
+    assert f"  adjudicated             {done['finding']}: " in told
 
 
 def test_snapshots_are_a_sequence(kept):

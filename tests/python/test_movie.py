@@ -111,13 +111,14 @@ def test_every_second_snapshot_is_drawn(tmp_path):
 
 
 @pytest.mark.skipif(not animation.writers.is_available("ffmpeg"), reason="no ffmpeg here")
-def test_movie_has_a_frame_for_each_snapshot(tmp_path):
+@pytest.mark.parametrize("options, rate", [(["--fps", "5"], "5/1"), ([], "1/1")])
+def test_movie_has_a_frame_for_each_snapshot_and_lasts(tmp_path, options, rate):
     run = write_sheared(tmp_path / "run.h5")
-    assert main(["movie", str(run), "-o", str(tmp_path / "run.mp4"), "--fps", "5"]) == 0
+    assert main(["movie", str(run), "-o", str(tmp_path / "run.mp4"), *options]) == 0
     shown = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries",
                             "stream=nb_read_frames,r_frame_rate", "-of", "csv=p=0",
                             str(tmp_path / "run.mp4")], capture_output=True, text=True, check=True)
-    assert shown.stdout.strip() == "5/1,3"
+    assert shown.stdout.strip() == f"{rate},3"
 
 
 def test_without_ffmpeg_pictures_are_written_and_the_command_for_them_is_said(tmp_path, capsys):

@@ -167,6 +167,19 @@ def test_stages_resume_one_run_until_it_ends(tmp_path, monkeypatch):
     assert calls[1][1] == calls[2][1] == calls[0][calls[0].index("-o") + 1]
 
 
+def test_results_are_kept_and_not_measured_again(tmp_path):
+    calls = []
+
+    def measured():
+        calls.append(1)
+        return {"times": (1.5, float("inf"))}
+    path = tmp_path / "results.json"
+    expected = {"times": [1.5, float("inf")]}
+    assert scanning.kept(path, measured) == scanning.kept(path, measured) == expected
+    assert len(calls) == 1
+    assert scanning.kept(None, measured) == expected and len(calls) == 2
+
+
 def test_scans_draw_in_the_typeface_of_the_other_figures(tmp_path):
     with scanning.drawn(tmp_path / "scan.svg") as axes:
         axes.set(xlabel="restitution $e$")

@@ -27,6 +27,19 @@ TEST(CollapseTime, OfHalvedFlightsIsTheSumOfTheSeries) {
   EXPECT_DOUBLE_EQ(observer.ratio().value(), 0.5);
 }
 
+TEST(CollapseTime, IsNotReadFromFlightsThatAreRoundingWhereTheClockStands) {
+  // At 2^40 in a stride as long the last place is 2^-12: flights below 24 are rounding.
+  CollapseTime<1, double> observer(1);
+  Collision<1, double> collision;
+  collision.time.remainder = 0x1p40;
+  for (const double flight : {16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25}) {
+    collision.flight = flight;
+    collision.time.remainder += flight;
+    observer.observe(collision);
+  }
+  EXPECT_FALSE(observer.time());
+}
+
 TEST(CollapseTime, NeedsSixFlights) {
   const auto observer = after_flights({1, 0.5, 0.25, 0.125, 0.0625});
   EXPECT_FALSE(observer.time());

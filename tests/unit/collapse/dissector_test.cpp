@@ -240,5 +240,13 @@ TEST(RecentCollisions, KeepABoundedNumberBeforeAndSinceTheClockStopped) {
   }
 }
 
+TEST(Dissection, KnowsACollapseTimeSinceTheStartToItsLastPlace) {
+  Decay decay;
+  decay.collapse_time = 1e18;  // of which the last place is 128
+  decay.collapse_time_error = 1e-3;
+  EXPECT_GE(decay.error_since_start(), 128);
+  EXPECT_LE(decay.error_since_start(), 256);
+}
+
 }  // namespace
 }  // namespace zenosphere

@@ -24,6 +24,14 @@ TEST(SeparationCriterion, IsMetAtTheCollisionBeforeTheOneThatWasSoClose) {
   EXPECT_EQ(criterion.last_collision(), 2);
 }
 
+TEST(SeparationCriterion, IsNotMetBeforeTheFirstCollision) {
+  Criterion criterion(1e-16, 1.0);
+  criterion.observe_next(0);  // where the run ends at a pair that touches
+  EXPECT_EQ(criterion.hits(), 0);
+  criterion.observe(record(1, 0, 1, 0, 0));
+  EXPECT_EQ(criterion.hits(), 0);
+}
+
 TEST(SeparationCriterion, TakesTheThresholdZeroAndOverlapsAsHits) {
   Criterion criterion(1e-16, 1.0);
   criterion.observe(record(1, 0, 1, 1, 0.1));

@@ -23,9 +23,11 @@ struct System {
     return {sides, Real(shear_rate), 1, walled ? std::optional(Dim - 1) : std::nullopt};
   }
 
-  static Configuration<Dim, Real> start(int spheres, const ShearBox<Dim, Real>& box) {
+  static Configuration<Dim, Real> start(int spheres, const ShearBox<Dim, Real>& box,
+                                        const Real& offset = 0) {
     Random random(3);
     Configuration<Dim, Real> start;
+    start.offset = offset;
     const int side = static_cast<int>(box.sides()[0]) - 1;
     for (int i = 0; i < spheres; ++i) {  // on a lattice: many equal times, which must keep order
       Vec<Dim, Real> place, velocity;
@@ -61,9 +63,9 @@ class ArchivedState : public ::testing::Test {
   using Gas = Simulation<S::Dim, Real>;
 
   void expect_same_future(const ShearBox<S::Dim, Real>& box, OverlapRule rule,
-                          const Surroundings<S::Dim, Real>& surroundings) {
+                          const Surroundings<S::Dim, Real>& surroundings, const Real& offset = 0) {
     const ContactRules<Real> rules{Real(0.4), rule};
-    Gas gas(box, S::start(S::Dim == 1 ? 6 : 24, box), rules, surroundings);
+    Gas gas(box, S::start(S::Dim == 1 ? 6 : 24, box, offset), rules, surroundings);
     for (int part = 0; part < 3; ++part) {
       run(gas, 97);
       const Bytes bytes = archived(gas);
@@ -90,6 +92,16 @@ TYPED_TEST(ArchivedState, CoolingGasGoesOnBitForBit) {
 TYPED_TEST(ArchivedState, ShearedGasGoesOnBitForBit) {
   if constexpr (TypeParam::Dim > 1) {
     this->expect_same_future(TypeParam::box(8, 1.5, false), OverlapRule::rewind, {});
+  }
+}
+
+TYPED_TEST(ArchivedState, GasWhoseImagesAreDisplacedGoesOnBitForBit) {
+  using Number = typename TypeParam::Real;
+  if constexpr (TypeParam::Dim > 1) {
+    for (const double shear_rate : {0.0, 1.5}) {
+      this->expect_same_future(TypeParam::box(8, shear_rate, false), OverlapRule::rewind, {},
+                               Number(-2.7));
+    }
   }
 }
 
@@ -165,13 +177,14 @@ TEST_F(HostileState, NoChangedByteDoesHarm) {
 
 TEST_F(HostileState, CountsAndPairsThatCannotBeAreRefused) {
   // Last come the number of overlaps ignored, the pair before which the run was stopped (none),
-  // whether it is at rest, of rewinds two speeds and the collision of the next look (none yet), the
-  // stride of the clock, the events without a collision, and the frame, which does not move.
+  // whether it is at rest, of rewinds two speeds, the collision of the next look and the earliest
+  // time (none yet), the stride of the clock, the events without a collision, and the frame, which
+  // does not move.
   const auto with = [&](std::int64_t count, const std::optional<Gas::NextPair>& pair,
                         double fastest = 0, std::int64_t next_look = 0) {
     ArchiveWriter end;
-    end(count, pair, false, fastest, 0.0, next_look, 1.0, std::int64_t{0}, Gas::Vector{},
-        Gas::Vector{}, Instant<double>{});
+    end(count, pair, false, fastest, 0.0, next_look, -std::numeric_limits<double>::infinity(), 1.0,
+        std::int64_t{0}, Gas::Vector{}, Gas::Vector{}, Gas::Vector{}, Instant<double>{});
     const std::size_t replaced = end.bytes().size() - (pair ? sizeof(*pair) : 0);
     Bytes all(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(replaced));
     all.insert(all.end(), end.bytes().begin(), end.bytes().end());

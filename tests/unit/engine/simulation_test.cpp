@@ -56,7 +56,9 @@ TEST(OverlapRules, GuardedLetsASlowPairPassAndCountsIt) {
 }
 
 TEST(OverlapRules, StopEndsTheRunBeforeTheCollision) {
-  Line line = overlapping(OverlapRule::stop);
+  Line line = overlapping(OverlapRule::stop, 1e-15, 0);
+  line.wait_until(1);
+  line.kick({{1}, {0}, {0}});
   EXPECT_FALSE(line.next_collision(10));
   ASSERT_TRUE(line.stopped_before());
   EXPECT_EQ(line.stopped_before()->i, 0);
@@ -65,6 +67,13 @@ TEST(OverlapRules, StopEndsTheRunBeforeTheCollision) {
   EXPECT_FALSE(line.next_collision(10));
   EXPECT_EQ(line.collisions(), 0);
   EXPECT_EQ(line.peculiar_velocity(0)[0], 1);
+}
+
+TEST(OverlapRules, StopLetsSpheresCollideThatStartInContact) {
+  Line line = overlapping(OverlapRule::stop);
+  EXPECT_EQ(line.next_collision(10).value().i, 0);
+  EXPECT_FALSE(line.stopped_before());
+  EXPECT_EQ(line.peculiar_velocity(1)[0], 1);
 }
 
 TEST(OverlapRules, DoNotTouchSpheresThatSeparate) {

@@ -34,32 +34,39 @@ Steps<3> missing(const Cells& cells, const Steps<3>& shape, const Steps<3>& home
   for (std::size_t axis = 0; axis < 3; ++axis) {
     missing[axis] += way.periods(static_cast<int>(axis)) * shape[axis] - home[axis] - steps[axis];
   }
-  missing[0] += way.layers() * cells.whole_slide();
+  missing[0] += way.layers() * cells.whole_slide() + way.periods(1) * cells.whole_offset();
   return missing;
+}
+
+void expect_each_cell_around_once(const Cells& cells, const Steps<3>& shape) {
+  for (std::int32_t from = 0; from < cells.count(); ++from) {
+    const Steps<3> home = cells.coordinates(from);
+    std::set<std::tuple<std::int32_t, std::int32_t>> found;
+    std::set<Steps<3>> steps_found;
+    cells.for_each_run(home, kWide,
+                       [&](std::int32_t first, std::int32_t last, Way way, Steps<3> steps) {
+                         for (std::int32_t cell = first; cell <= last; ++cell, ++steps[0]) {
+                           ASSERT_EQ(missing(cells, shape, home, cell, way, steps), (Steps<3>{}));
+                           ASSERT_EQ(way.layers(), steps[1]);
+                           found.insert({cell, way.code()});
+                           steps_found.insert(steps);
+                         }
+                       });
+    ASSERT_EQ(found.size(), 3u * (5 + 3 + 5));
+    ASSERT_EQ(steps_found.size(), found.size());
+  }
 }
 
 TEST(SlidingCells, RunsLeadToEachCellAroundOnceAndOnItsWay) {
   for (const Steps<3>& shape : kShapes) {
-    Cells cells(shape);
-    for (int slid = 0; slid <= shape[0]; ++slid, cells.slide_by_one_cell()) {
-      for (std::int32_t from = 0; from < cells.count(); ++from) {
-        const Steps<3> home = cells.coordinates(from);
-        std::set<std::tuple<std::int32_t, std::int32_t>> found;
-        std::set<Steps<3>> steps_found;
-        cells.for_each_run(
-            home, kWide, [&](std::int32_t first, std::int32_t last, Way way, Steps<3> steps) {
-              for (std::int32_t cell = first; cell <= last; ++cell, ++steps[0]) {
-                ASSERT_EQ(missing(cells, shape, home, cell, way, steps), (Steps<3>{}));
-                ASSERT_EQ(way.layers(), steps[1]);
-                found.insert({cell, way.code()});
-                steps_found.insert(steps);
-              }
-            });
-        ASSERT_EQ(found.size(), 3u * (5 + 3 + 5));
-        ASSERT_EQ(steps_found.size(), found.size());
+    for (const int offset : {0, -shape[0] / 2, (shape[0] - 1) / 2}) {
+      Cells cells(shape);
+      cells.displace_images(offset);
+      for (int slid = 0; slid <= shape[0]; ++slid, cells.slide_by_one_cell()) {
+        ASSERT_NO_FATAL_FAILURE(expect_each_cell_around_once(cells, shape)) << offset;
       }
+      EXPECT_EQ(cells.whole_slide(), 1 % shape[0]);  // once around, and one more
     }
-    EXPECT_EQ(cells.whole_slide(), 1 % shape[0]);  // once around, and one more
   }
 }
 
@@ -74,11 +81,11 @@ TEST(SlidingCells, HaveNoLayersOnALine) {
 }
 
 TEST(Way, BackIsTheReverse) {
-  const Way way(Steps<3>{2, -1, 1}, -1);
-  EXPECT_EQ(way.reversed(), Way(Steps<3>{-2, 1, -1}, 1));
+  const Way way(Steps<3>{3, -1, 1}, -1);
+  EXPECT_EQ(way.reversed(), Way(Steps<3>{-3, 1, -1}, 1));
   EXPECT_EQ(way.reversed().reversed(), way);
   EXPECT_EQ(Way().reversed(), Way());
-  EXPECT_EQ(way.periods(0), 2);
+  EXPECT_EQ(way.periods(0), 3);
   EXPECT_EQ(way.periods(1), -1);
   EXPECT_EQ(way.periods(2), 1);
   EXPECT_EQ(way.layers(), -1);

@@ -92,6 +92,13 @@ TEST(TimeApart, CrossesMillionsOfBoxesInOneStep) {
   EXPECT_GT(time_apart<3>({{5, 5, 4}, {1, 1e-8, 0}, 1, {10, 10, 10}}, open, 100), 1e11);
 }
 
+TEST(TimeApart, CountsThePlanesOfALongSideWhereThoseOfAShortOneTellNothing) {
+  // A box along y is crossed in 3.5, one along x in 2.5, while 2.5e8 diameters pass along y: what
+  // comes near within two diameters along x could be anywhere. At 1 they are as high as each other,
+  // and 6 + 4 along x.
+  EXPECT_NEAR((time_apart<2>({{6, -1e8}, {4, 1e8}, 1e8, {10, 3.5e8}}, 10, 100)), 1, 1e-6);
+}
+
 TEST(TimeApart, NeverEndsWhereAllImagesAreAcross) {
   EXPECT_GE(time_apart<2>({{3, 1.5}, {1, 0}, 1, {8, 8}}, open, 100), 0.9 * longest_foreseen);
   EXPECT_EQ(time_apart<2>({{3, 1.5}, {0, 0}, 1, {8, 8}}, open, 100), open);

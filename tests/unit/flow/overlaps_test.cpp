@@ -66,6 +66,8 @@ TEST(DeepestOverlap, AgreesWithLookingAtEveryPair) {
 
 TEST(DeepestPermitted, IsRoundingButForTheRuleThatLetsSpheresPass) {
   EXPECT_EQ(deepest_permitted(OverlapRule::immediate, 1e-15, 1e9, 32), 1e-9);
+  // In a box of 2^29 diameters 256 units in the last place of a side: 2^8 x 2^-52 x 2^29.
+  EXPECT_EQ(deepest_permitted(OverlapRule::immediate, 1e-15, 1e9, 0x1p29), 0x1p-15);
   EXPECT_EQ(deepest_permitted(OverlapRule::guarded, 1e-15, 1e9, 32), 1e-9 + 1e-15 * 1e9);
 }
 

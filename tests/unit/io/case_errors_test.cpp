@@ -63,7 +63,7 @@ TEST(CaseErrors, ShearRateIsNotJudgedWhileTheKindOfDriveIsUnknown) {
 
 TEST(CaseErrors, UnknownKeySuggestsTheNearestOfItsTableOrTheTableThatHasIt) {
   EXPECT_EQ(objection(cooling_case, "system.sphere=5"),
-            "unknown key system.sphere; did you mean spheres?");
+            "unknown key system.sphere; did you mean system.spheres?");
   EXPECT_EQ(objection(cooling_case, "run.window=5"),
             "unknown key run.window; did you mean collapse.window?");
   EXPECT_EQ(objection(cooling_case, "restitution=0.5"),

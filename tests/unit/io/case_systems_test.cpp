@@ -238,5 +238,14 @@ TEST(CaseSystems, StartFileIsMeantFromTheDirectoryOfTheCase) {
   EXPECT_EQ(parse_case(triple_case, "case.toml", overrides).start.file, (here / "s.xyz").string());
 }
 
+TEST(CaseSystems, ABoxIsNotSoLongThatItsCellsAreTooMany) {
+  // Cells are 375 x (5 - 1) long where one side has two cells of 5: 1e9/1500 x 2 = 1.3e6 of them.
+  EXPECT_EQ(problems_of(triple_case, {"system.sides=[10, 5e8]"}), "");
+  EXPECT_EQ(objection(triple_case, "system.sides=[10, 1e9]"),
+            "system.sides = [10, 1000000000] (cells that suit the shortest side would be 1.33e+06, "
+            "must be at most 1.05e+06); make the sides less unequal");
+  EXPECT_EQ(problems_of(triple_case, {"system.sides=[1e6, 1e9]"}), "");
+}
+
 }  // namespace
 }  // namespace zenosphere

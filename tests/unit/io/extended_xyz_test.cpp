@@ -20,6 +20,26 @@ TEST_F(ExtendedXyz, GivesItsLastFrame) {
   EXPECT_EQ(start.sides, (std::vector<double>{10, 8}));
 }
 
+TEST_F(ExtendedXyz, GivesTheFrameThatIsChosen) {
+  write(xyz_header + "A 2 2 0 1 0 0\nA 6 6 0 0 0 0\n" + xyz_header + xyz_rows);
+  EXPECT_EQ(given_start(case_with({"start.snapshot=0"})).positions,
+            (std::vector<double>{2, 2, 6, 6}));
+  EXPECT_EQ(given_start(case_with({"start.snapshot=1"})).positions,
+            (std::vector<double>{1, 1, 4, 1}));
+  EXPECT_EQ(problem({"start.snapshot=2"}),
+            "start: has 2 frames (start.snapshot = 2, counted from 0); choose one of them");
+}
+
+TEST_F(ExtendedXyz, PlacesSpheresInALeaningCell) {
+  // The second sphere lies above the box: in it, it is 8 lower and 3 further left, and slower by
+  // the flow between the two places.
+  write(replaced(xyz_header, "10 0 0 0 8", "10 0 0 3 8") + "A 5 5 0 1 0.5 0\nA 4 9 0 2 0 0\n");
+  const GivenStart start = given_start(case_with({"drive.kind=shear", "drive.shear_rate=0.25"}));
+  EXPECT_EQ(start.offset, 3);
+  EXPECT_EQ(start.positions, (std::vector<double>{5, 5, 1, 1}));
+  EXPECT_EQ(start.velocities, (std::vector<double>{1, 0.5, 0, 0}));
+}
+
 TEST_F(ExtendedXyz, MayHaveOtherColumnsLineEndsAndBrackets) {
   write(
       "2\r\nproperties=id:I:1:velocity:R:3:Name:S:2:POS:R:3 time=\"0 \\\" Lattice=\" LATTICE = "
@@ -67,7 +87,8 @@ TEST_F(ExtendedXyz, HasTheBoxOfTheCase) {
             "start: has a box of 10.1 x 8 diameters (that of the case is 10 x 8); make them equal "
             "with system.sides");
   EXPECT_EQ(problem_of(replaced(xyz_header, "10 0 0", "10 3 0") + xyz_rows),
-            "start:2: Lattice has 3 beside its diagonal (the box must be upright)");
+            "start:2: Lattice has 3 beside its diagonal (only the second vector may lean, along "
+            "x)");
   const std::string three =
       "start:2: Lattice has 3 numbers (must be 9, three vectors); write \"Lx 0 0 "
       "0 Ly 0 0 0 Lz\"";

@@ -31,7 +31,9 @@ TEST_F(OutputFileTest, SnapshotsAreReadBackBitForBit) {
   EXPECT_EQ(hdf5::values<double>(spheres, "position/value"), (Values{0, 1, 2, 3, x, 1, 2, 3}));
   EXPECT_EQ(hdf5::values<double>(spheres, "velocity/value"), (Values{-0.0, 5, 6, 7, -x, 5, 6, 7}));
   EXPECT_EQ(hdf5::values<double>(spheres, "box/edges/value"), (Values{8, 0, 0, 8, 8, 0, x, 8}));
-  for (const std::string element : {"position", "velocity", "box/edges"}) {
+  EXPECT_EQ(hdf5::values<std::int32_t>(spheres, "image/value"),
+            (std::vector<std::int32_t>{0, 0, 0, 1, 3, 0, -3, 1}));
+  for (const std::string element : {"position", "velocity", "image", "box/edges"}) {
     EXPECT_EQ(hdf5::values<std::int64_t>(spheres, element + "/step"), (Shape{0, 3}));
     EXPECT_EQ(hdf5::values<double>(spheres, element + "/time"), (Values{0, x}));
   }

@@ -21,7 +21,8 @@ inline const OutputFile::Header planar_pair{"a = 1  # \u00b5\n", "a = 1\n", 2, 2
 
 inline Snapshot snapshot(std::int64_t step) {
   const double x = 0.1 * static_cast<double>(step);
-  return {step, x, {x, 1, 2, 3}, {-x, 5, 6, 7}, {8, 0, x, 8}};
+  const auto image = static_cast<std::int32_t>(step);
+  return {step, x, {x, 1, 2, 3}, {-x, 5, 6, 7}, {8, 0, x, 8}, {image, 0, -image, 1}};
 }
 
 inline CollisionRow row(std::int64_t k) {

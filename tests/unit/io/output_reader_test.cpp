@@ -30,8 +30,8 @@ class OutputReader : public ::testing::Test {
   }
   void write_run(const std::vector<CollisionRow>& rows) const {
     OutputDatasets output(path, {"case", "resolved", 1, 3});
-    output.append(Snapshot{0, 0, {0, 1, 2}, {3, 4, 5}, {6}});
-    output.append(Snapshot{4, 0.5, {0, 1, 2}, {3, 4, 5}, {6}});
+    output.append(Snapshot{0, 0, {0, 1, 2}, {3, 4, 5}, {6}, {0, 0, 0}});
+    output.append(Snapshot{4, 0.5, {0, 1, 2}, {3, 4, 5}, {6}, {0, 0, 0}});
     CollisionRows columns;
     for (const auto& row : rows) columns.append(row);
     output.append(columns);

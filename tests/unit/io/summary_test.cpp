@@ -151,6 +151,32 @@ TEST(Summary, IsReadBackFromItsJson) {
   EXPECT_THROW(summary_from_json("[1, 2", 2), InputError);
 }
 
+TEST(Summary, TextGivesAveragesThatFewCollisionsSupportInFewDigits) {
+  Summary summary;
+  summary.verdict = "none";
+  summary.averages = planar_averages();
+  summary.averages->granular_temperature = 0.123456789;
+  const auto told_after = [&](std::int64_t collisions) {
+    summary.collisions = collisions;
+    const std::string text = to_text(summary, 2, "");
+    const std::size_t begin = text.find("granular temperature") + 24;
+    return text.substr(begin, text.find(' ', begin) - begin);
+  };
+  EXPECT_EQ(told_after(23), "0.12");        // 1 / sqrt(23) is a fifth
+  EXPECT_EQ(told_after(10'000), "0.1235");  // a per cent
+  EXPECT_EQ(told_after(100'000'000), "0.123457");
+}
+
+TEST(Summary, IsReadBackWhereAveragesAreNoNumbersOfDouble) {
+  Summary summary = collapsed_summary();
+  summary.averages = planar_averages();
+  summary.averages->dissipation = summary.averages->temperature_diagonal[1] =
+      summary.averages->pressure_tensor[2] = std::numeric_limits<double>::infinity();
+  const std::string text = to_json(summary, 2);
+  EXPECT_EQ(to_json(summary_from_json(text, 2), 2), text);
+  EXPECT_TRUE(Json::parse(text)["averages"]["pressure_tensor"][1][0].is_null());
+}
+
 Summary::Dissected dissected_chain() {
   Summary::Dissected found;
   found.collision = 70;
@@ -201,7 +227,7 @@ TEST(Summary, TextBeginsWithTheVerdictInPlainWords) {
 
 TEST(Summary, TextTellsHowManyOthersStillMoveWhereTheClockStands) {
   auto summary = collapsed_summary();
-  EXPECT_NE(to_text(summary, 2).find("It is the time of all: 1 other sphere was still moving.\n"),
+  EXPECT_NE(to_text(summary, 2).find("It stands still for all: 1 other sphere was still moving.\n"),
             std::string::npos);
   EXPECT_NE(to_text(summary, 2).find("  0-3 1-3; 1 other sphere still moving\n"),
             std::string::npos);
@@ -225,7 +251,7 @@ TEST(Summary, TextAlignsItsValuesInOneColumn) {
   const std::string text = to_text(summary, 2);
   for (const char* line :
        {"\n  collisions              90 (45 per sphere)\n", "\n  arrested pairs          0-3 1-3;",
-        "\n    along each axis       0.125         0.075\n",
+        "\n    along each axis       0.12          0.075\n",
         "\n    tensor                1             2\n",
         "\n                          3             4\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;

@@ -11,9 +11,8 @@ using Place = Vec<2, double>;
 
 Simulation<2, double> discs(std::vector<Place> places, std::vector<Place> velocities,
                             double shear_rate = 0) {
-  return {ShearBox<2, double>(Place{20, 20}, shear_rate),
-          {std::move(places), std::move(velocities)},
-          {0.5}};
+  const Configuration<2, double> start{std::move(places), std::move(velocities)};
+  return {ShearBox<2, double>(Place{20, 20}, shear_rate), start, {0.5}};
 }
 
 constexpr std::array<std::int32_t, 3> all{0, 1, 2};

@@ -23,7 +23,8 @@ Simulation<2, double> discs(double side, std::vector<Place> others = {}) {
   std::vector<Place> velocities{{1, 0.01}, {0, 0}, {0.1, -0.02}};
   places.insert(places.end(), others.begin(), others.end());
   velocities.resize(places.size(), Place{0.2, 0});
-  return {ShearBox<2, double>(Place{side, side}, 0), {places, velocities}, {0.03}};
+  const Configuration<2, double> start{places, velocities};
+  return {ShearBox<2, double>(Place{side, side}, 0), start, {0.03}};
 }
 
 std::optional<Certificate> enclosure(const Simulation<2, double>& gas, double restitution = 0.03) {

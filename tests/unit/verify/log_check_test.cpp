@@ -58,7 +58,7 @@ TEST(LogCheck, LossIsAQuarterOfOneMinusESquaredTimesTheSquareOfTheSpeed) {
   LogCheck check(values, 2, 10.0);
   Findings findings;
   check.observe({1, 0.5, 0, 1, 0.1, 2.0, 0}, findings);
-  EXPECT_EQ(check.dissipated(), 0.75);  // (1 - 1/4) x 4 / 4
+  EXPECT_EQ(check.take_dissipated(), 0.75);  // (1 - 1/4) x 4 / 4
 }
 
 }  // namespace

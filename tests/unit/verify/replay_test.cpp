@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace zenosphere::verify {
 namespace {
 
@@ -31,6 +33,34 @@ std::int64_t contradictions(const Snapshot& first, const CollisionRow& row, cons
 }
 
 TEST(Replay, FollowsACollisionThatIsRight) { EXPECT_EQ(contradictions(begin, touch, end), 0); }
+
+// The engine may follow both in the frame of their mean velocity, 2^29, in which the one at rest
+// flies too: 2^30 diameters until the end, whose last place is 2^-22; snapshots themselves are
+// stored to 1e-15.
+TEST(Replay, AllowsWhatTheFrameOfAllRoundsInASphereThatRests) {
+  Replay<2> replay(planar_case(), 2);
+  Findings findings;
+  replay.observe({0, 0, {1, 1, 4, 5}, {0x1p30, 0, 0, 0}, {10, 0, 0, 8}}, findings);
+  const double way = std::fmod(0x1p31, 10.0);
+  replay.observe({0, 2, {1 + way, 1, 4 + 0x1p-24, 5}, {0x1p30, 0, 0, 0}, {10, 0, 0, 8}}, findings);
+  EXPECT_EQ(findings.count(), 0);
+  replay.observe({0, 4, {7, 1, 4.01, 5}, {0x1p30, 0, 0, 0}, {10, 0, 0, 8}}, findings);
+  EXPECT_GT(findings.count(), 0);
+}
+
+// They stick: at the time 1e30 their places are known to 1e14 only, and which image touches is not.
+TEST(Replay, SaysNothingOfAGapToAnImageThatNobodyKnows) {
+  Case sticky = planar_case();
+  sticky.system.restitution = 0;
+  Replay<2> replay(sticky, 2);
+  Findings findings;
+  CollisionRow first = touch;
+  first.gap = 8;  // around the box
+  replay.observe(begin, findings);
+  replay.observe(first, findings);
+  replay.observe({2, 1e30, 0, 1, 0, 1e-30, 0}, findings);
+  EXPECT_EQ(findings.count(), 0);
+}
 
 TEST(Replay, FindsAnotherTimePairSpeedOrRestitution) {
   CollisionRow row = touch;
