@@ -1,6 +1,7 @@
 """`zenosphere analyse` and `zenosphere.analyse` on files of runs."""
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -230,6 +231,16 @@ def test_file_that_cannot_be_written_is_exit_code_4(tmp_path, capsys):
     for words in (["-o", "no/found.json"], ["-o", "no/found.csv"], ["--figures", "run.h5"]):
         assert main(["analyse", str(path), words[0], str(tmp_path / words[1])]) == 4
         assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_reader_that_has_left_is_no_error(tmp_path):
+    path = recorded(tmp_path, CASES["two disks"])
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run([sys.executable, "-m", "zenosphere", "analyse", path, "--json"],
+                          stdout=writing, stderr=subprocess.PIPE, text=True)
+    os.close(writing)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_missing_scipy_is_said_in_one_line(tmp_path):
