@@ -56,11 +56,10 @@ def adjudicated(case, changes):
                "--quiet", "--seconds", str(SECONDS), "--groups", str(GROUPS),
                *scanning.overrides(changes)]
     done = subprocess.run(command, capture_output=True, text=True)
-    if "no separation hit" in done.stderr:
-        return None
     if done.returncode:
         raise SystemExit(done.stderr)
-    return json.loads(done.stdout.splitlines()[-1])
+    found = json.loads(done.stdout.splitlines()[-1])
+    return found if found["hits"] else None
 
 
 def law_of(approach):

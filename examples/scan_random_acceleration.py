@@ -86,12 +86,12 @@ def draw(kick, mean, error, line, path):
         axes.errorbar(kick, mean, error, fmt="o", markersize=4, capsize=2, label="measured")
         ends = np.array([0, max(kick)])
         axes.plot(ends, np.polyval(np.polyfit(kick, mean, 1, w=1 / np.array(error)), ends),
-                  color="C0", linewidth=1, label="straight line through them")
+                  color="C0", linewidth=1, label="weighted linear fit")
         axes.errorbar([0], [line[0]], [line[1]], fmt="s", color="C1", markersize=5, capsize=3,
                       label="extrapolated to white noise")
         axes.axhline(EXACT, color="black", linewidth=0.8, linestyle="--",
                      label=r"exact: $\pi/\sqrt{3}$")
-        axes.set(xlabel="standard deviation of a kick / mean launch speed",
+        axes.set(xlabel="standard deviation of a kick / geometric mean of launch speeds",
                  ylabel=r"$\langle\ln(w/u)\rangle$, return speed $w$, launch speed $u$")
         axes.legend()
 

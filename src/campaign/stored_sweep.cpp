@@ -243,7 +243,7 @@ bool is_empty(Database& database) {
 StoredSweep stored_sweep(Database& database) {
   const std::string& name = database.name();
   if (database.integer("PRAGMA application_id") != store_application_id) {
-    throw OutputError(name + ": is a database of another program; choose another file");
+    throw InputError(name + ": is a database of another program; choose another file");
   }
   const std::int64_t version = database.integer("PRAGMA user_version");
   if (version < oldest_store_version || version > store_format_version) {

@@ -112,8 +112,7 @@ std::string text_of(const Trial& trial) {
     return value ? fmt::format("{}", *value) : std::string("-");
   };
   return fmt::format("{:<10} {:<10} {:>9} {:<20} {:>8} {:>9} {:>9} {:>9} {:>9}  {}\n",
-                     word(trial.precision), word(trial.rule),
-                     trial.first_hit == 0 ? "start" : number(trial.first_hit),
+                     word(trial.precision), word(trial.rule), number(trial.first_hit),
                      trial.first_hit_time.value_or("-").substr(0, 20), trial.hits,
                      trial.deepest > 0 ? fmt::format("1e-{:.0f}", trial.deepest) : "-",
                      trial.absorbed, number(trial.arrest), trial.collisions, trial.ended_by);

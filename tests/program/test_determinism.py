@@ -25,8 +25,14 @@ def bits(value):
     return array.tobytes() if array.dtype != object else repr(array.tolist())
 
 
+def checksums(text):
+    """The lines of all but the summary and other costs, and that of all lines."""
+    costs = (" zenosphere/summary", " of the lines above", *(f"@{name}" for name in OF_THE_MACHINE))
+    return [line for line in text.decode().splitlines() if not line.endswith(costs)]
+
+
 def contents(path):
-    """Every attribute and dataset of a file but the summary."""
+    """Every attribute and dataset of a file but the summary and its checksums."""
     found = {}
 
     def collect(name, item):
@@ -34,7 +40,9 @@ def contents(path):
             if key not in OF_THE_MACHINE:
                 found[name, key] = bits(value)
         if isinstance(item, h5py.Dataset) and name != "zenosphere/summary":
-            found[name] = (item.dtype.str, item.shape, bits(item[()]))
+            value = item[()]
+            found[name] = (item.dtype.str, item.shape, checksums(value)
+                           if name == "zenosphere/checksums" else bits(value))
 
     with h5py.File(path) as file:
         collect("/", file)

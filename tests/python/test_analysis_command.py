@@ -213,6 +213,18 @@ def test_wrong_words_are_one_line_and_exit_code_2(tmp_path, capsys, monkeypatch,
     assert told in line
 
 
+@pytest.mark.parametrize("name", ["position", "velocity"])
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_place_or_velocity_that_is_no_number_is_damage(tmp_path, capsys, name, value):
+    path = recorded(tmp_path, CASES["two disks"])
+    with h5py.File(path, "r+") as file:
+        file[f"particles/spheres/{name}/value"][-1, 0, 0] = value
+    capsys.readouterr()
+    assert main(["analyse", str(path)]) == 2
+    [line] = capsys.readouterr().err.splitlines()
+    assert "in the snapshot at time" in line and "damaged" in line
+
+
 def test_file_that_cannot_be_written_is_exit_code_4(tmp_path, capsys):
     path = recorded(tmp_path, CASES["two disks"])
     capsys.readouterr()
