@@ -57,8 +57,15 @@ class RewindBound {
   void note_change(const Vec<Dim, Real>& change, const Real& when) {
     using std::sqrt;
     const Real square = dot(change, change);
-    if (square > 0) earliest_ = std::max(earliest_, Real(when - way_ / sqrt(square)));
+    if (!(square > 0)) return;
+    const Real size = sqrt(square);
+    largest_change_ = std::max(largest_change_, size);
+    earliest_ = std::max(earliest_, Real(when - way_ / size));
   }
+
+  /// The closing speed that the rounding of velocities can have made: below it an overlap does not
+  /// tell when the two have met.
+  Real slowest() const { return 64 * std::numeric_limits<Real>::epsilon() * largest_change_; }
 
   /// Sets the clock back by `span`.
   void set_back(const Real& span) { earliest_ -= span; }
@@ -78,8 +85,9 @@ class RewindBound {
   /// \throws ArchiveError where nobody can be that fast
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.fastest_, self.before_, self.next_look_, self.earliest_);
-    require_archived(self.fastest_ >= 0 && self.before_ >= 0, "a speed that there is not");
+    archive(self.fastest_, self.before_, self.next_look_, self.earliest_, self.largest_change_);
+    require_archived(self.fastest_ >= 0 && self.before_ >= 0 && self.largest_change_ >= 0,
+                     "a speed that there is not");
     require_archived(self.earliest_ < std::numeric_limits<Real>::infinity(),
                      "a time that there is not");
     require_counts(self.next_look_);
@@ -95,6 +103,7 @@ class RewindBound {
   Real fastest_ = 0;
   Real before_ = 0;                                         ///< the fastest at the look before
   Real earliest_ = -std::numeric_limits<Real>::infinity();  ///< remainder of the clock
+  Real largest_change_ = 0;                                 ///< of a velocity so far
   std::int64_t next_look_ = 0;                              ///< number of collisions
 };
 

@@ -105,8 +105,10 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::limit_rewinds() {
   rewind_bound_.renew(spheres_, now_.remainder, collisions_);
   const Real earliest = -rewind_bound_.longest(now_.remainder);
+  const Real slowest = rewind_bound_.slowest();
   for (auto& contact : ahead_.contacts) {
-    if (contact.time < earliest) contact.time = 0;
+    const bool is_rounding = contact.time < 0 && contact.approach >= -slowest;
+    if (contact.time < earliest || is_rounding) contact.time = 0;
   }
 }
 

@@ -62,18 +62,18 @@ TYPED_TEST(Rewind, EndsThreeStickingRodsAtTheirCommonVelocity) {
   }
 }
 
-/// Sticking disks on a regular polygon of radius 3, that fly to its centre at speed 1.
+/// Disks on a regular polygon of that radius, that fly to its centre at speed 1.
 template <class Real>
-Simulation<2, Real> sticking_polygon(int disks) {
+Simulation<2, Real> polygon_of(int disks, int radius, double restitution) {
   Configuration<2, Real> start;
   for (int k = 0; k < disks; ++k) {
     const double angle = 2 * std::numbers::pi * k / disks + 0.3;
     const Vec<2, Real> outward{{Real(std::cos(angle)), Real(std::sin(angle))}};
-    start.positions.push_back(outward * Real(3) + Vec<2, Real>{{Real(10), Real(10)}});
+    start.positions.push_back(outward * Real(radius) + Vec<2, Real>{{Real(10), Real(10)}});
     start.velocities.push_back(outward * Real(-1));
   }
   return Simulation<2, Real>(ShearBox<2, Real>({Real(20), Real(20)}, 0), start,
-                             {Real(0), OverlapRule::rewind});
+                             {Real(restitution), OverlapRule::rewind});
 }
 
 // They touch where the polygon has sides of 1: n of them on a circle of radius 1 / (2 sin(pi/n)).
@@ -82,7 +82,7 @@ Simulation<2, Real> sticking_polygon(int disks) {
 TYPED_TEST(Rewind, LeavesDisksThatHaveComeToRestWhereAndWhenTheyMet) {
   using Real = TypeParam;
   for (const int disks : {5, 6, 7, 8}) {
-    auto polygon = sticking_polygon<Real>(disks);
+    auto polygon = polygon_of<Real>(disks, 3, 0);
     const double radius = 0.5 / std::sin(std::numbers::pi / disks);
     double latest = 0;
     for (int call = 0; call < 2000 && !polygon.has_reached(30) && !polygon.is_at_rest(); ++call) {
@@ -93,6 +93,23 @@ TYPED_TEST(Rewind, LeavesDisksThatHaveComeToRestWhereAndWhenTheyMet) {
     for (const auto& place : polygon.configuration().positions) {
       const auto [x, y] = std::array{double(place[0]) - 10, double(place[1]) - 10};
       EXPECT_NEAR(std::hypot(x, y), radius, 1e-5) << disks << " disks";
+    }
+  }
+}
+
+// At 0.05 they come to speeds of rounding as well, and at 1e-9 to some of 1e-9, at which a depth of
+// an ulp is a step of 1e-4.
+TYPED_TEST(Rewind, NeverSetsTheClockBackVisiblyWhereDisksComeToRest) {
+  for (const int disks : {5, 6, 7, 8}) {
+    for (const double restitution : {0.0, 1e-9, 0.05}) {
+      auto polygon = polygon_of<TypeParam>(disks, 2, restitution);
+      double latest = 0;
+      for (int call = 0; call < 1000 && !polygon.has_reached(100); ++call) {
+        polygon.next_collision(100);
+        ASSERT_GE(polygon.time(), latest - 1e-3) << disks << " disks, e = " << restitution;
+        latest = std::max(latest, polygon.time());
+        if (polygon.is_at_rest()) break;
+      }
     }
   }
 }
