@@ -21,14 +21,20 @@ from .search_figures import draw_search
 
 
 def main(arguments=None):
-    """Does what the command line says and returns the exit code (0, 2 input, 4 output)."""
+    """Does what the command line says and returns the exit code (0, 2 input, 4 output).
+
+    A reader of the output that has left (`... | head`) is no error.
+    """
     options = _parser().parse_args(arguments)
     try:
         options.command(options)
+        sys.stdout.flush()
     except InputError as error:
         return _failed(error, 2)
     except OutputError as error:
         return _failed(error, 4)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for the flush at exit
     return 0
 
 

@@ -81,17 +81,18 @@ void add_adjudicate(CLI::App& app, int& status) {
   command
       .add_option_function<std::string>(
           "--up-to", read_precision,
-          "highest precision to try; without it digits100, and more while digits run out")
+          "highest precision to try; default: digits100, and more while digits run out")
       ->check(such_as({"double", "extended", "quad", "digits100"}))
       ->type_name("PRECISION");
   command
-      .add_option("--collisions", arguments->collisions,
-                  "most of each trial, after the run's hit; without it until the digits are spent "
-                  "or the spheres have flown apart")
+      .add_option(
+          "--collisions", arguments->collisions,
+          "longest trial, counted from the run's hit; default: until the digits are spent or "
+          "the spheres have flown apart")
       ->check(whole_number("--collisions", 1, most_typed));
   command
       .add_option("--groups", arguments->groups,
-                  "follow so many groups of hits, the first ones; without it all")
+                  "follow only the first N groups of hits; default: all")
       ->check(whole_number("--groups", 1, most_typed));
   command.add_option("--seconds", arguments->seconds, "budget for all of it, in seconds")
       ->check(positive_number("--seconds"))

@@ -83,8 +83,8 @@ const ShippedCase& case_named(const std::string& name, const std::string& typed,
 void write_case(const std::filesystem::path& file, std::string_view text, bool overwrite) {
   std::error_code ignored;
   if (!overwrite && std::filesystem::exists(file, ignored)) {
-    throw OutputError(fmt::format("{}: is there already; choose another name, or add --overwrite",
-                                  file.string()));
+    throw OutputError(
+        fmt::format("{}: exists already; choose another name or pass --overwrite", file.string()));
   }
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
   std::ofstream stream(file, std::ios::binary);

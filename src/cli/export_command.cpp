@@ -64,7 +64,7 @@ void add_selection(CLI::App& command, Selection& selection) {
       ->capture_default_str();
   command.add_option("--to", selection.to, "last one, likewise; without: the last there is")
       ->check(whole_number("--to", -most_typed, most_typed));
-  command.add_option("--every", selection.every, "one of so many")
+  command.add_option("--every", selection.every, "every Nth snapshot or collision")
       ->check(whole_number("--every", 1, most_typed))
       ->capture_default_str();
 }
@@ -79,9 +79,10 @@ void add_export(CLI::App& app, int& status) {
       ->required()
       ->type_name("OUT.h5");
   command
-      .add_option("--format", arguments->format,
-                  "of OVITO and ASE (extxyz); OVITO, VMD, MDAnalysis and ASE (lammps); ParaView "
-                  "(vtp: NAME.pvd and a folder of frames); tables")
+      .add_option(
+          "--format", arguments->format,
+          "extxyz (OVITO, ASE), lammps (OVITO, VMD, MDAnalysis, ASE), vtp (ParaView: NAME.pvd "
+          "and a folder of frames), csv-observables or csv-collisions (tables)")
       ->required()
       ->check(one_of("--format", names_of_formats()))
       ->type_name("FORMAT");

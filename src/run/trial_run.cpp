@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "model/instantiate.hpp"
@@ -119,10 +120,12 @@ void TrialRun<Dim, Real>::keep(const DepthRow& row, const Collision<Dim, Real>& 
   const Real& speed = collision.impact.normal_speed;
   const Real elastic = simulation_.wall(collision.j) ? Real(2 * speed) : speed;
   kept_->dissipative.push_back(speed > 0 && collision.impact.impulse < elastic);
+  fastest_ = std::max(fastest_, speed);
   kept_->margins.push_back(margin_of_curvature(collision));
 }
 
-/// See Curvature; infinite at a wall, which is flat.
+/// See Curvature; infinite at a wall, which is flat, and where the spheres slide no faster than the
+/// rounding of the normals of the contacts before has made them.
 template <int Dim, class Real>
 double TrialRun<Dim, Real>::margin_of_curvature(const Collision<Dim, Real>& collision) const {
   const double none = std::numeric_limits<double>::infinity();
@@ -133,6 +136,11 @@ double TrialRun<Dim, Real>::margin_of_curvature(const Collision<Dim, Real>& coll
       simulation_.peculiar_velocity(collision.j) - simulation_.peculiar_velocity(collision.i);
   if constexpr (Dim > 1) sliding[0] += simulation_.box().shear_rate() * normal[1];
   sliding -= normal * dot(sliding, normal);
+  Real longest = 0;
+  for (int axis = 0; axis < Dim; ++axis)
+    longest = std::max(longest, simulation_.box().sides()[axis]);
+  const Real rounded = 4 * std::numeric_limits<Real>::epsilon() * longest * fastest_;
+  if (!(dot(sliding, sliding) > rounded * rounded)) return none;
   const Real share = dot(sliding, sliding) * collision.gap_before / (speed * speed);
   return decades_of(share, none);
 }

@@ -101,6 +101,7 @@ class TrialRun {
   std::int64_t others_at_limit_ = 0;  ///< of other spheres
   std::optional<HitGroups> hit_groups_;
   std::optional<KeptCollisions<Real>> kept_;
+  Real fastest_ = 0;  ///< closing speed among them
 };
 
 }  // namespace zenosphere

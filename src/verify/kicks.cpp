@@ -1,6 +1,8 @@
 #include "verify/kicks.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/instantiate.hpp"
 
@@ -19,23 +21,34 @@ Kicks<Dim>::Kicks(const Case& values, std::int64_t spheres)
       interval_(values.drive.kick_interval),
       step_(std::sqrt(values.drive.noise_strength * values.drive.kick_interval)),
       keeps_momentum_(!values.walls.axis) {
-  if (values.drive.kind == DriveKind::random) next_ = interval_;
+  if (values.drive.kind != DriveKind::random) return;
+  next_ = interval_;
+  draw();
 }
 
 template <int Dim>
 std::vector<Vec<Dim, long double>> Kicks<Dim>::take() {
-  std::vector<Vec<Dim, long double>> changes(spheres_);
+  std::vector<Vec<Dim, long double>> changes = std::move(changes_);
+  ++taken_;
+  next_ = static_cast<double>(taken_ + 1) * interval_;
+  draw();
+  return changes;
+}
+
+template <int Dim>
+void Kicks<Dim>::draw() {
+  changes_.assign(spheres_, {});
   Vec<Dim, long double> mean;
-  for (auto& change : changes) {
+  for (auto& change : changes_) {
     for (int axis = 0; axis < Dim; ++axis) change[axis] = step_ * random_.normal();
     mean += change * (1 / static_cast<long double>(spheres_));
   }
   if (keeps_momentum_) {
-    for (auto& change : changes) change -= mean;
+    for (auto& change : changes_) change -= mean;
   }
-  ++taken_;
-  next_ = static_cast<double>(taken_ + 1) * interval_;
-  return changes;
+  long double square = 0;
+  for (const auto& change : changes_) square = std::max(square, dot(change, change));
+  largest_ = std::sqrt(square);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim) template class Kicks<Dim>;

@@ -19,10 +19,15 @@ class Kicks {
   /// Time of the next kick; infinity where there are none.
   double next() const { return next_; }
 
+  /// The largest change of a velocity by the next kick, diameters/time.
+  long double largest() const { return largest_; }
+
   /// Velocity changes of the next kick, one for each sphere, diameters/time.
   std::vector<Vec<Dim, long double>> take();
 
  private:
+  void draw();
+
   Random random_;
   std::size_t spheres_;
   double interval_;
@@ -30,6 +35,8 @@ class Kicks {
   bool keeps_momentum_;
   std::int64_t taken_ = 0;
   double next_ = std::numeric_limits<double>::infinity();
+  std::vector<Vec<Dim, long double>> changes_;  ///< of the next kick
+  long double largest_ = 0;                     ///< of them
 };
 
 }  // namespace zenosphere::verify

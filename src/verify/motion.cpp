@@ -16,11 +16,6 @@ long double rounding_of(Precision precision) {
   return precision == Precision::double_precision ? double_rounding : 0x1p-62L;
 }
 
-template <int Dim>
-long double length(const Vec<Dim, long double>& vector) {
-  return std::sqrt(dot(vector, vector));
-}
-
 }  // namespace
 
 long double in_precision(double value, Precision precision) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -14,6 +15,11 @@ inline constexpr long double double_rounding = 0x1p-52L;
 
 /// A number of the case in the precision of its run.
 long double in_precision(double value, Precision precision);
+
+template <int Dim>
+long double length(const Vec<Dim, long double>& vector) {
+  return std::sqrt(dot(vector, vector));
+}
 
 /// A sphere at one time, in the laboratory and unwrapped, with bounds on its errors.
 template <int Dim>

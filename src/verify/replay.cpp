@@ -9,15 +9,6 @@
 #include "model/instantiate.hpp"
 
 namespace zenosphere::verify {
-namespace {
-
-template <int Dim>
-long double length(const Vec<Dim, long double>& vector) {
-  return std::sqrt(dot(vector, vector));
-}
-
-}  // namespace
-
 template <int Dim>
 Replay<Dim>::Replay(const Case& values, std::int64_t spheres, std::int64_t criteria_version)
     : values_(values),
@@ -64,24 +55,6 @@ void Replay<Dim>::start(const Snapshot& snapshot) {
 }
 
 template <int Dim>
-void Replay<Dim>::kick_until(double time) {
-  while (kicks_.next() < time) {
-    const Number when = kicks_.next();
-    const auto changes = kicks_.take();
-    last_kick_ = last_change_ = when;
-    if (!has_start_) continue;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      Body<Dim>& body = bodies_[i];
-      body = motion_.moved(body, when);
-      body.velocity += changes[i];
-      motion_.add_momentum(changes[i]);
-      // The mean of all changes is taken off, a sum of N rounded terms.
-      body.velocity_error += 64 * motion_.rounding() * (length(body.velocity) + length(changes[i]));
-    }
-  }
-}
-
-template <int Dim>
 Meeting<Dim> Replay<Dim>::meeting_at(const CollisionRow& row, Number time, Number contact) {
   if (const auto side = wall(row.j)) return motion_.wall_meeting(body(row.i), *side, time);
   return motion_.meeting(body(row.i), body(row.j), time, contact);
@@ -96,6 +69,7 @@ void Replay<Dim>::observe(const CollisionRow& row, Findings& findings) {
     return;
   }
   done_ = row.k;
+  if (may_be_set_back_behind_a_kick(row)) lose_all();
   check_last_gap(row, findings);
   const Meeting<Dim> meeting = meeting_at(row, row.time, row.time);
   const bool is_in_doubt = is_beside_a_kick(row.time);
@@ -114,13 +88,6 @@ void Replay<Dim>::observe(const CollisionRow& row, Findings& findings) {
   last_change_ = row.time;
 }
 
-/// Whether the stored times do not tell if a collision came before a kick or after it.
-template <int Dim>
-bool Replay<Dim>::is_beside_a_kick(double time) const {
-  const Number distance = std::min<Number>(time - last_kick_, kicks_.next() - time);
-  return distance <= 4 * motion_.clock_error(time);
-}
-
 template <int Dim>
 void Replay<Dim>::count(Number error) {
   if (!(error <= most_error)) {
@@ -137,6 +104,12 @@ template <int Dim>
 void Replay<Dim>::lose(const CollisionRow& row) {
   body(row.i).position_error = Motion<Dim>::unknown;
   if (!wall(row.j)) body(row.j).position_error = Motion<Dim>::unknown;
+}
+
+/// From now on nothing is known about any sphere.
+template <int Dim>
+void Replay<Dim>::lose_all() {
+  for (Body<Dim>& one : bodies_) one.position_error = Motion<Dim>::unknown;
 }
 
 /// Whether the spheres touch and approach as the row says.

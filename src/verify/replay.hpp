@@ -71,6 +71,7 @@ class Replay {
                      Findings& findings) const;
   void kick_until(double time);
   bool is_beside_a_kick(double time) const;
+  bool may_be_set_back_behind_a_kick(const CollisionRow& row) const;
   Meeting<Dim> meeting_at(const CollisionRow& row, Number time, Number contact);
   bool check(const CollisionRow& row, const Meeting<Dim>& meeting, Findings& findings);
   void check_last_gap(const CollisionRow& row, Findings& findings);
@@ -81,6 +82,7 @@ class Replay {
   void bounce(const CollisionRow& row, int wall);
   void count(Number error);
   void lose(const CollisionRow& row);
+  void lose_all();
 
   static constexpr Number most_error = 1e-3L;  ///< diameters; what is checked is better than this
 

@@ -241,7 +241,7 @@ std::string to_text(const Verification& verification, const std::string& file) {
       fmt::format("  replayed                {} (to 1e-9 diameters {}, to 1e-6 {}, to 1e-3 all)\n",
                   coverage.replayed, coverage.within[0], coverage.within[1]);
   text += fmt::format("  beyond predictability   {}\n", coverage.beyond);
-  text += fmt::format("  without a way there     {}\n", coverage.unreached);
+  text += fmt::format("  not reachable           {}\n", coverage.unreached);
   text +=
       fmt::format("  snapshots compared      {} ({}, {} more beyond predictability)\n",
                   coverage.snapshots, counted(coverage.spheres, "sphere"), coverage.lost_spheres);

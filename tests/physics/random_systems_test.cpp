@@ -93,7 +93,7 @@ int compared(const RandomSystem& system) {
     if (!(event->gap_before > 1e-10) || event->time * system.speed > 50) return n;
     const auto collision = next_of(gas, 1001 / system.speed).value_or(support::Record{});
     if (collision.number > 0 && !(collision.gap_before > 1e-10)) return n;
-    const bool grazes = collision.impact.normal_speed < 1e-9 * system.speed;
+    const bool grazes = collision.impact.normal_speed < 1e-6 * system.speed;  // sqrt of rounding
     if (collision.number > 0 && grazes) return n;
     const bool is_same = collision.i == event->i && collision.j == event->j &&
                          std::abs(gas.time() - event->time) * system.speed <= 1e-7 &&

@@ -65,3 +65,13 @@ def test_fall_below_the_range_of_double_is_judged_like_any_other(program):
     fallen = approach(program, 0.03, "--up-to", "digits1000")
     assert fallen["finding"] == "singular" and fallen["decades"] > 990
     assert fallen["uncertainty"] > 0
+
+
+def test_straight_row_along_a_diagonal_has_only_rounding_to_bend_it(program):
+    program.case.write_text(
+        BENT_ROW.format(restitution=0.05, middle=12)
+        .replace("[10, 20]", "[10, 10]").replace("[14.3, 20]", "[14.5, 14.5]")
+        .replace("[[1, 0], [0, 0], [-1, 0]]", "[[1, 1], [0, 0], [-1, -1]]"))
+    result = json.loads(program("adjudicate", program.case, "--json", "--quiet").stdout)
+    assert result["approaches"][0]["finding"] == "singular"
+    assert [approach["curvature"] for approach in result["approaches"]] == [None, None]

@@ -38,7 +38,7 @@ def test_examples_can_be_copied_all_and_one(program, tmp_path):
 def test_nothing_is_replaced_unasked(program, tmp_path):
     case = tmp_path / "rods.toml"
     case.write_text("mine")
-    assert "is there already" in "".join(program.fail("new", "rods", "-o", case, code=4))
+    assert "exists already; choose another name or pass --overwrite" in "".join(program.fail("new", "rods", "-o", case, code=4))
     assert case.read_text() == "mine"
     program("new", "rods", "-o", case, "--overwrite")
     assert case.read_text() != "mine"

@@ -167,6 +167,74 @@ def test_drives_walls_gravity_and_dimensions(program, name):
         assert replayed(program) == len(run["collisions/k"])
 
 
+HEXAGON_THAT_MEETS_AT_A_KICK = """
+[system]
+dimension = 2
+spheres = 6
+sides = [40, 40]
+restitution = 1e-9
+[start]
+arrangement = "given"
+positions = [[23.0, 20.0], [21.5, 22.598076211353316], [18.5, 22.598076211353316], [17.0, 20.0],
+             [18.5, 17.401923788646684], [21.5, 17.401923788646684]]
+velocities = [[-1, 0], [-0.5000000000000001, -0.8660254037844386],
+              [0.4999999999999998, -0.8660254037844387], [1, 0],
+              [0.5000000000000004, 0.8660254037844384], [-0.5000000000000001, 0.8660254037844386]]
+[drive]
+kind = "random"
+noise_strength = 1e-20
+kick_interval = 0.1
+[run]
+collisions = 3000
+"""
+
+
+# Collision 23 is an overlap that a kick at time 2 has made, and is set back to 4.7e-11 before it.
+# From the first overlap on, collision 4, a kick so weak may have been behind any of them.
+def test_collision_that_is_set_back_behind_a_kick_has_had_it(program):
+    program.case.write_text(HEXAGON_THAT_MEETS_AT_A_KICK)
+    program("run", "case.toml", "--quiet", "-o", "out.h5")
+    with h5py.File(program.folder / "out.h5") as run:
+        assert run["collisions/flags"][22] & 2 and 1.9999999999 < run["collisions/time"][22] < 2
+    assert replayed(program) == 3
+
+
+HEXAGON_THAT_COMES_TO_REST = """
+[system]
+dimension = 3
+spheres = 6
+sides = [40, 40, 40]
+restitution = 1e-9
+[start]
+arrangement = "given"
+positions = [[21.209158963557, 18.406910360070796, 20],
+             [21.984235580462993, 20.250617559689424, 20],
+             [20.77507661690599, 21.843707199618628, 20],
+             [18.790841036443002, 21.593089639929204, 20],
+             [18.015764419537007, 19.749382440310576, 20],
+             [19.224923383094005, 18.156292800381372, 20]]
+velocities = [[-0.6045794817785006, 0.7965448199646017, 0],
+              [-0.9921177902314975, -0.12530877984471148, 0],
+              [-0.38753830845299664, -0.9218535998093136, 0],
+              [0.6045794817784997, -0.7965448199646022, 0],
+              [0.9921177902314975, 0.12530877984471134, 0],
+              [0.38753830845299675, 0.9218535998093135, 0]]
+[drive]
+kind = "none"
+[run]
+collisions = 3000
+"""
+
+
+# All six come to rest but for rounding, and the clock ends at 1.11 behind collisions up to 1.27.
+def test_clock_that_ends_before_a_logged_collision_has_been_set_back(program):
+    program.case.write_text(HEXAGON_THAT_COMES_TO_REST)
+    program("run", "case.toml", "--quiet", "-o", "out.h5")
+    with h5py.File(program.folder / "out.h5") as run:
+        assert run["collisions/time"][()].max() > 1.1 * run["collisions/time"][-1]
+    program("verify", "out.h5")
+
+
 @pytest.mark.parametrize("overlap", ["rewind", "immediate", "guarded", "stop"])
 @pytest.mark.parametrize("precision", ["double", "extended", "quad", "digits30", "digits100"])
 def test_overlap_rules_and_precisions(program, overlap, precision):

@@ -1,6 +1,7 @@
 """`zenosphere analyse` and `zenosphere.analyse` on files of runs."""
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -212,12 +213,34 @@ def test_wrong_words_are_one_line_and_exit_code_2(tmp_path, capsys, monkeypatch,
     assert told in line
 
 
+@pytest.mark.parametrize("name", ["position", "velocity"])
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_place_or_velocity_that_is_no_number_is_damage(tmp_path, capsys, name, value):
+    path = recorded(tmp_path, CASES["two disks"])
+    with h5py.File(path, "r+") as file:
+        file[f"particles/spheres/{name}/value"][-1, 0, 0] = value
+    capsys.readouterr()
+    assert main(["analyse", str(path)]) == 2
+    [line] = capsys.readouterr().err.splitlines()
+    assert "in the snapshot at time" in line and "damaged" in line
+
+
 def test_file_that_cannot_be_written_is_exit_code_4(tmp_path, capsys):
     path = recorded(tmp_path, CASES["two disks"])
     capsys.readouterr()
     for words in (["-o", "no/found.json"], ["-o", "no/found.csv"], ["--figures", "run.h5"]):
         assert main(["analyse", str(path), words[0], str(tmp_path / words[1])]) == 4
         assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_reader_that_has_left_is_no_error(tmp_path):
+    path = recorded(tmp_path, CASES["two disks"])
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run([sys.executable, "-m", "zenosphere", "analyse", path, "--json"],
+                          stdout=writing, stderr=subprocess.PIPE, text=True)
+    os.close(writing)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_missing_scipy_is_said_in_one_line(tmp_path):

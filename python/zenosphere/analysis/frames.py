@@ -75,6 +75,10 @@ class Frames:
             state = snapshots[self._first + number]
             box = PeriodicBox(state.box_edges, self.walls)
             velocities = state.peculiar_velocities
+            if not (np.isfinite(state.positions).all() and np.isfinite(velocities).all()):
+                raise InputError(f"{self.output.path}: a place or a velocity in the snapshot at"
+                                 f" time {state.time:g} is no number (the file is damaged); take"
+                                 " another copy of it, or run its case again")
             yield Frame(number, state.time, state.positions, self._peculiar(state), velocities, box,
                         number % stride == 0)
 
