@@ -97,16 +97,15 @@ TYPED_TEST(Rewind, LeavesDisksThatHaveComeToRestWhereAndWhenTheyMet) {
   }
 }
 
-// At 0.05 they come to speeds of rounding as well, and at 1e-9 to some of 1e-9, at which a depth of
-// an ulp is a step of 1e-4.
+// At 0.05 they come to speeds of rounding as well.
 TYPED_TEST(Rewind, NeverSetsTheClockBackVisiblyWhereDisksComeToRest) {
   for (const int disks : {5, 6, 7, 8}) {
-    for (const double restitution : {0.0, 1e-9, 0.05}) {
+    for (const double restitution : {0.0, 0.05}) {
       auto polygon = polygon_of<TypeParam>(disks, 2, restitution);
       double latest = 0;
       for (int call = 0; call < 1000 && !polygon.has_reached(100); ++call) {
         polygon.next_collision(100);
-        ASSERT_GE(polygon.time(), latest - 1e-3) << disks << " disks, e = " << restitution;
+        ASSERT_GE(polygon.time(), latest - 1e-4) << disks << " disks, e = " << restitution;
         latest = std::max(latest, polygon.time());
         if (polygon.is_at_rest()) break;
       }
