@@ -97,11 +97,12 @@ TYPED_TEST(Rewind, LeavesDisksThatHaveComeToRestWhereAndWhenTheyMet) {
   }
 }
 
-// At 0.05 they come to speeds of rounding as well.
-TYPED_TEST(Rewind, NeverSetsTheClockBackVisiblyWhereDisksComeToRest) {
+// At 0.05 they come to speeds of rounding as well. (In more digits than those of the start, speeds
+// of 1e-16 are no rounding.)
+TEST(RewindInDouble, NeverSetsTheClockBackVisiblyWhereDisksComeToRest) {
   for (const int disks : {5, 6, 7, 8}) {
     for (const double restitution : {0.0, 0.05}) {
-      auto polygon = polygon_of<TypeParam>(disks, 2, restitution);
+      auto polygon = polygon_of<double>(disks, 2, restitution);
       double latest = 0;
       for (int call = 0; call < 1000 && !polygon.has_reached(100); ++call) {
         polygon.next_collision(100);
