@@ -177,14 +177,14 @@ TEST_F(HostileState, NoChangedByteDoesHarm) {
 
 TEST_F(HostileState, CountsAndPairsThatCannotBeAreRefused) {
   // Last come the number of overlaps ignored, the pair before which the run was stopped (none),
-  // whether it is at rest, of rewinds two speeds, the collision of the next look and the earliest
-  // time (none yet), the stride of the clock, the events without a collision, and the frame, which
-  // does not move.
+  // whether it is at rest, of rewinds two speeds, the collision of the next look, the earliest
+  // time and the largest change (none yet), the stride of the clock, the events without a
+  // collision, and the frame, which does not move.
   const auto with = [&](std::int64_t count, const std::optional<Gas::NextPair>& pair,
                         double fastest = 0, std::int64_t next_look = 0) {
     ArchiveWriter end;
-    end(count, pair, false, fastest, 0.0, next_look, -std::numeric_limits<double>::infinity(), 1.0,
-        std::int64_t{0}, Gas::Vector{}, Gas::Vector{}, Gas::Vector{}, Instant<double>{});
+    end(count, pair, false, fastest, 0.0, next_look, -std::numeric_limits<double>::infinity(), 0.0,
+        1.0, std::int64_t{0}, Gas::Vector{}, Gas::Vector{}, Gas::Vector{}, Instant<double>{});
     const std::size_t replaced = end.bytes().size() - (pair ? sizeof(*pair) : 0);
     Bytes all(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(replaced));
     all.insert(all.end(), end.bytes().begin(), end.bytes().end());
