@@ -10,9 +10,8 @@ from .ensemble import CRITERIA
 from .ensemble_maps import finding_maps, probability_maps
 from .ensemble_slices import chosen_parts, slices
 from .ensemble_table import crossing_rows, crossings_along, probability_rows, write_csv
-from .errors import OutputError
 from .findings import finding_rows
-from .pictures import PAGE_WIDTH, Pictures, points
+from .pictures import PAGE_WIDTH, Pictures, made_folder, points
 
 LEAST_PANEL = 1.0  # inches, width of one of many
 SPREAD = 0.5  # of the step from point to point, over which the series lie side by side
@@ -219,12 +218,3 @@ def _log_scale(axes, values):
     axes.set_xscale("log")
     axes.set_xticks(values, [words.short(value) for value in values], minor=False)
     axes.set_xticks([], minor=True)
-
-
-def made_folder(folder):
-    """Makes a folder where there is none. Raises OutputError."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise OutputError(f"{folder}: cannot be made ({error.strerror});"
-                          " choose another folder with -o") from error

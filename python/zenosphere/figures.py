@@ -4,8 +4,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 from . import anatomy_panels, panels, windows
-from .errors import OutputError
-from .pictures import Pictures
+from .pictures import Pictures, made_folder
 
 USUAL = Pictures(formats=("png", "pdf"))
 
@@ -95,11 +94,7 @@ def captions(prefix=""):
 
 
 def _drawn(run, plans, folder, pictures, prefix):
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise OutputError(f"{folder}: folder cannot be made ({error.strerror});"
-                          " choose another one with -o") from error
+    made_folder(folder)
     written = []
     for plan in plans:
         written += panels.save(plan.draw, run, plan.window(run), folder / (prefix + plan.name),

@@ -99,3 +99,15 @@ def parsed_size(text):
             f"{text!r} (must be WIDTHxHEIGHT in centimetres, each from {LEAST_SIZE:g} to"
             f" {LARGEST_SIZE:g}); for example 8.6x6")
     return tuple(side / INCH for side in sides)
+
+
+def made_folder(folder, option="-o"):
+    """Makes a folder where there is none.
+
+    folder: Path;  option: that of the command which names it. Raises OutputError.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"{folder}: folder cannot be made ({error.strerror}); choose another one"
+                          f" with {option}") from error

@@ -4,9 +4,9 @@ import numpy as np
 
 from . import ensemble_panels as panels
 from .crossing import Crossing
-from .ensemble_figures import figure_grid, made_folder
+from .ensemble_figures import figure_grid
 from .ensemble_table import write_csv
-from .pictures import Pictures, points
+from .pictures import Pictures, made_folder, points
 
 MOST_PANELS = 24
 

@@ -30,9 +30,9 @@ def test_opened_run_has_the_case_and_the_summary_of_the_run(kept):
     with zenosphere.open(path) as output:
         assert output.case == case and output.case.text == case.text
         told = json.loads(program("info", path, "--json").splitlines()[-1])
-        assert told["file"].pop("checksums") == "bytes unchanged"  # opening does not look at them
-        assert output.summary | {"file": {**output.file, "checksums": None}} == {
-            **told, "file": {**told["file"], "checksums": None}}
+        assert told["file"]["checksums"] == "bytes unchanged"
+        told["file"]["checksums"] = None  # opening does not look at them
+        assert output.summary | {"file": output.file} == told
         assert output.summary["collisions"] == 2000 and output.verdict == "none"
         assert output.is_complete and output.file["program_version"] == zenosphere.__version__
 

@@ -3,8 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from ..errors import OutputError
-from ..pictures import COLOURS, HEIGHT, INK, MARK_COLOUR, WIDTH
+from ..pictures import COLOURS, HEIGHT, INK, MARK_COLOUR, WIDTH, made_folder
 
 SPEED = "in units of $\\sqrt{T}$"
 
@@ -16,11 +15,7 @@ def draw_analysis(results, folder, name, pictures):
     pictures: Pictures
     Returns the paths written. Raises InputError, OutputError.
     """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise OutputError(f"{folder}: folder cannot be made ({error.strerror}); choose another one"
-                          " with --figures") from error
+    made_folder(folder, option="--figures")
     written = []
     for figure, draw in FIGURES.items():
         with pictures.style():
