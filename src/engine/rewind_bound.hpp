@@ -15,8 +15,9 @@ namespace zenosphere {
 ///
 /// By the time in which the fastest sphere flies that way, and not to before the moment to which a
 /// sphere whose velocity has changed would be off by it. The second bound holds where all come to
-/// rest, and keeps steps back from adding up. The fastest sphere is looked for once in as many
-/// collisions as there are spheres, and only when two overlap.
+/// rest, and keeps steps back from adding up. An overlap that closes at slowest() or below is no
+/// approach: it collides now. The fastest sphere is looked for once in as many collisions as there
+/// are spheres, and only when two overlap.
 ///
 /// Source: docs/decisions/0016-rewind-within-the-digits.md.
 template <int Dim, class Real>
