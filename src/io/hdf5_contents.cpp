@@ -46,8 +46,12 @@ std::vector<hsize_t> extents_of(const Handle& space) {
 }
 
 std::string line(std::uint32_t sum, const char* type, const std::vector<hsize_t>& extents) {
-  const std::string shape = extents.empty() ? "scalar" : fmt::format("{}", fmt::join(extents, "x"));
-  return fmt::format("{:08x} {} {}", sum, type, shape);
+  std::string shape;  // g++ 12 sees an overflow in fmt::join
+  for (const auto extent : extents) {
+    if (!shape.empty()) shape += 'x';
+    shape += std::to_string(extent);
+  }
+  return fmt::format("{:08x} {} {}", sum, type, shape.empty() ? "scalar" : shape);
 }
 
 std::uint32_t checksum_of_text(const std::string& text, std::uint32_t before = 0) {
