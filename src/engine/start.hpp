@@ -17,6 +17,7 @@ struct StartRequest {
   std::int32_t spheres = 0;
   double granular_temperature = 0;  ///< (diameter/time)^2
   std::uint64_t seed = 1;
+  std::vector<double> diameters{};  ///< N; empty: all 1
 };
 
 /// Gaussian velocities with exactly zero mean and exactly the wanted granular temperature, up to
@@ -31,8 +32,12 @@ std::vector<Vec<Dim, double>> thermal_velocities(std::int32_t spheres, double te
 /// of every precision can begin from the same state.
 ///
 /// \param box  at strain 0; the spheres keep clear of its walls
+/// Random places are loose_packing()'s as far as it goes for unit spheres, else grown_places()'s.
+/// On a lattice spheres of different diameters come in random order.
+///
 /// Throws std::invalid_argument where the arrangement cannot be made: fcc with a number of spheres
-/// that is not 4 n^3 or not in a periodic cube, or random places too dense to be free of overlaps.
+/// that is not 4 n^3 or not in a periodic cube, or spheres that overlap on it; Jammed where random
+/// places are too dense.
 template <int Dim>
 Configuration<Dim, double> make_start(const StartRequest& request,
                                       const ShearBox<Dim, double>& box);
