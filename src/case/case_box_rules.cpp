@@ -39,12 +39,21 @@ std::string told_apart(double number, double limit) {
 
 bool is_lattice(const Case& values) { return values.start.arrangement == Arrangement::fcc; }
 
+/// What a side must be longer than: two cells for the largest spheres, or one of them between
+/// walls.
+double least_side_of(const Case& values, int axis) {
+  return least_side(closed_axis(values) == axis) * values.system.sizes.largest;
+}
+
+bool are_alike(const Case& values) {
+  return values.system.sizes.smallest == values.system.sizes.largest;
+}
+
 /// The first axis along which the box is too narrow, if there is one.
 std::optional<int> narrow_axis(const Case& values) {
   const std::vector<double> sides = box_sides(values);
   for (int axis = 0; axis < values.system.dimension; ++axis) {
-    if (!(sides[static_cast<std::size_t>(axis)] > least_side(closed_axis(values) == axis)))
-      return axis;
+    if (!(sides[static_cast<std::size_t>(axis)] > least_side_of(values, axis))) return axis;
   }
   return std::nullopt;
 }
@@ -53,8 +62,10 @@ std::optional<int> narrow_axis(const Case& values) {
 bool box_is_wide_enough(std::int64_t spheres, const Case& values) {
   const auto& system = values.system;
   constexpr double thinnest = 1e-100;  // far beyond the largest box
+  const double densest =
+      system.dimension > 0 && are_alike(values) ? in_dimension(densest_packing, values) : 1;
   const bool is_known = system.dimension > 0 && system.solids_volume_fraction > thinnest &&
-                        system.solids_volume_fraction <= in_dimension(densest_packing, values);
+                        system.solids_volume_fraction <= densest;
   if (!is_known || !system.sides.empty()) return true;
   Case box;
   box.system = system;
@@ -131,14 +142,14 @@ Objection denser_than_packed(const Case& values) {
   const double fraction = values.system.solids_volume_fraction;
   if (values.system.dimension == 1 && fraction == 1) return "(must be below 1; rods need room)";
   const double densest = in_dimension(densest_packing, values);
-  if (fraction <= densest) return std::nullopt;
+  if (fraction <= densest || !are_alike(values)) return std::nullopt;
   const std::string_view what = values.system.dimension == 2 ? "disks" : "spheres";
   return fmt::format("(must be in (0, {}]; {} cannot be packed denser)", densest, what);
 }
 
 Objection too_dense_for_random(const Case& values) {
   const double densest = in_dimension(densest_random, values);
-  const bool random = values.start.arrangement == Arrangement::random;
+  const bool random = values.start.arrangement == Arrangement::random && are_alike(values);
   if (!random || values.system.solids_volume_fraction <= densest) return std::nullopt;
   return fmt::format("(must be in (0, {}] for start.arrangement = \"random\")", densest);
 }
@@ -165,6 +176,7 @@ double least_fraction(const Case& values) {
   Case largest;
   largest.system.dimension = dimension;
   largest.system.spheres = values.system.spheres;
+  largest.system.sizes = values.system.sizes;
   largest.system.sides = {volume};
   return filled_fraction(largest);
 }
@@ -182,7 +194,7 @@ Objection box_too_long(const Case& values) {
 std::string narrowness(const Case& values, int axis) {
   const auto& system = values.system;
   const double side = box_sides(values)[static_cast<std::size_t>(axis)];
-  const double least = least_side(closed_axis(values) == axis);
+  const double least = least_side_of(values, axis);
   const bool is_cube = system.sides.empty() && system.aspect_ratio == 1 && !values.walls.axis;
   return fmt::format("the box side{} {} {} diameters, must be above {}",
                      is_cube ? "" : fmt::format(" along {}", axis_letter(axis)),
@@ -213,7 +225,7 @@ Objection sides_hold_too_little(const Case& values) {
   if (values.system.dimension == 1 && fraction == 1) {
     return "(the rods would fill the box; rods need room); use longer sides";
   }
-  if (fraction <= densest) return std::nullopt;
+  if (fraction <= (are_alike(values) ? densest : 1)) return std::nullopt;
   return fmt::format("({} spheres would fill {} of the box, at most {}{}); use longer sides",
                      values.system.spheres, told_apart(fraction, densest), densest,
                      random ? " for start.arrangement = \"random\"" : "");
@@ -239,11 +251,12 @@ Objection lattice_touches_walls(const Case& values) {
   if (!is_lattice(values) || !values.walls.axis) return std::nullopt;
   const double spacing =
       box_sides(values).front() / static_cast<double>(cells_a_side(values.system.spheres));
-  if (spacing / 4 >= 0.5) return std::nullopt;
+  const double radius = values.system.sizes.largest / 2;
+  if (spacing / 4 >= radius) return std::nullopt;
   return fmt::format(
       "(the first layer of fcc would be {} diameters from the wall, must be at "
-      "least 0.5); use start.arrangement = \"random\" or a larger box",
-      told_apart(spacing / 4, 0.5));
+      "least {}); use start.arrangement = \"random\" or a larger box",
+      told_apart(spacing / 4, radius), radius);
 }
 
 }  // namespace

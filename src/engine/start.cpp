@@ -84,11 +84,44 @@ std::vector<Vec<Dim, double>> loose_places(std::int32_t spheres, const ShearBox<
   return mixing.configuration().positions;
 }
 
+/// Velocities of spheres that are not all alike.
+template <int Dim>
+std::vector<Vec<Dim, double>> velocities_by_mass(std::int32_t spheres, double temperature,
+                                                 Random& random, const Grains<double>& grains) {
+  std::vector<Vec<Dim, double>> velocities(static_cast<std::size_t>(spheres));
+  Vec<Dim, double> momentum;
+  double mobile_mass = 0;
+  std::int32_t mobile = 0;
+  for (std::int32_t i = 0; i < spheres; ++i) {
+    if (grains.is_immobile(i)) continue;
+    auto& velocity = velocities[static_cast<std::size_t>(i)];
+    for (int axis = 0; axis < Dim; ++axis) {
+      velocity[axis] = random.normal() / std::sqrt(grains.mass(i));
+    }
+    momentum += velocity * grains.mass(i);
+    mobile_mass += grains.mass(i);
+    ++mobile;
+  }
+  double twice_energy = 0;
+  for (std::int32_t i = 0; i < spheres; ++i) {
+    if (grains.is_immobile(i)) continue;
+    auto& velocity = velocities[static_cast<std::size_t>(i)];
+    if (mobile > 1) velocity -= momentum * (1 / mobile_mass);
+    twice_energy += grains.mass(i) * dot(velocity, velocity);
+  }
+  const double scale = twice_energy > 0 ? std::sqrt(temperature * Dim * mobile / twice_energy) : 0;
+  for (auto& velocity : velocities) velocity *= scale;
+  return velocities;
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<Vec<Dim, double>> thermal_velocities(std::int32_t spheres, double temperature,
-                                                 Random& random) {
+                                                 Random& random, const Grains<double>& grains) {
+  if (!grains.masses.empty() || !grains.immobile.empty()) {
+    return velocities_by_mass<Dim>(spheres, temperature, random, grains);
+  }
   std::vector<Vec<Dim, double>> velocities(static_cast<std::size_t>(spheres));
   Vec<Dim, double> mean;
   for (auto& velocity : velocities) {
@@ -110,12 +143,12 @@ namespace {
 template <int Dim>
 std::vector<Vec<Dim, double>> random_places(const StartRequest& request,
                                             const ShearBox<Dim, double>& box, Random& random) {
-  if (request.diameters.empty()) {
+  if (request.grains.diameters.empty()) {
     if (is_loose(request.spheres, box)) return loose_places<Dim>(request.spheres, box, random);
     const std::vector<double> ones(static_cast<std::size_t>(request.spheres), 1.0);
     return grown_places<Dim>(ones, box, random);
   }
-  return grown_places<Dim>(request.diameters, box, random);
+  return grown_places<Dim>(request.grains.diameters, box, random);
 }
 
 /// Throws std::invalid_argument where spheres of different diameters overlap in their places.
@@ -138,9 +171,9 @@ void require_apart(const std::vector<Vec<3, double>>& places, const std::vector<
 std::vector<Vec<3, double>> lattice_places(const StartRequest& request,
                                            const ShearBox<3, double>& box, Random& random) {
   std::vector<Vec<3, double>> places = fcc_lattice(request.spheres, box.sides()[0]);
-  if (request.diameters.empty()) return places;
+  if (request.grains.are_alike()) return places;
   shuffle(places, random);
-  require_apart(places, request.diameters, box);
+  if (!request.grains.diameters.empty()) require_apart(places, request.grains.diameters, box);
   return places;
 }
 
@@ -156,13 +189,16 @@ Configuration<Dim, double> make_start(const StartRequest& request,
   } else {
     if constexpr (Dim == 3) start.positions = lattice_places(request, box, random);
   }
-  start.velocities = thermal_velocities<Dim>(request.spheres, request.granular_temperature, random);
+  start.velocities = thermal_velocities<Dim>(request.spheres, request.granular_temperature, random,
+                                             request.grains);
+  start.grains = request.grains;
   return start;
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim)                                                              \
-  template std::vector<Vec<Dim, double>> thermal_velocities<Dim>(std::int32_t, double, Random&); \
-  template Configuration<Dim, double> make_start<Dim>(const StartRequest&,                       \
+#define ZENOSPHERE_INSTANTIATE(Dim)                                                             \
+  template std::vector<Vec<Dim, double>> thermal_velocities<Dim>(std::int32_t, double, Random&, \
+                                                                 const Grains<double>&);        \
+  template Configuration<Dim, double> make_start<Dim>(const StartRequest&,                      \
                                                       const ShearBox<Dim, double>&);
 ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

@@ -6,6 +6,7 @@
 #include "engine/arrangement.hpp"
 #include "engine/box_side.hpp"
 #include "engine/configuration.hpp"
+#include "model/grains.hpp"
 #include "model/random.hpp"
 #include "model/shear_box.hpp"
 
@@ -17,14 +18,15 @@ struct StartRequest {
   std::int32_t spheres = 0;
   double granular_temperature = 0;  ///< (diameter/time)^2
   std::uint64_t seed = 1;
-  std::vector<double> diameters{};  ///< N; empty: all 1
+  Grains<double> grains{};  ///< what the spheres are
 };
 
-/// Gaussian velocities with exactly zero mean and exactly the wanted granular temperature, up to
-/// rounding. A single sphere keeps its velocity's direction, and a mean.
+/// Gaussian velocities with exactly zero momentum and exactly the wanted granular temperature
+/// <m v^2> / D, up to rounding: lighter spheres are faster, and immobile ones rest and do not
+/// count. A single sphere keeps its velocity's direction, and a momentum.
 template <int Dim>
 std::vector<Vec<Dim, double>> thermal_velocities(std::int32_t spheres, double temperature,
-                                                 Random& random);
+                                                 Random& random, const Grains<double>& grains = {});
 
 /// Spheres placed in a box, with Gaussian peculiar velocities (see thermal_velocities).
 ///

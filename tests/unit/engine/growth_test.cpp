@@ -152,7 +152,7 @@ TEST(ClosePairs, AreThoseThatALookAtAllPairsFinds) {
   std::vector<Vec<3, double>> places;
   Random random(4);
   const ShearBox<3, double> box({{9, 7, 5}}, 0, 1.5, 2);
-  for (int i = 0; i < 80; ++i) {
+  for (int i = 0; i < 100; ++i) {
     diameters.push_back(i % 7 == 0 ? 2.0 : 0.1 + 0.4 * random.uniform());
     places.push_back({{9 * random.uniform(), 7 * random.uniform(), 5 * random.uniform()}});
   }
@@ -162,8 +162,8 @@ TEST(ClosePairs, AreThoseThatALookAtAllPairsFinds) {
     found.push_back(std::minmax(pair.i, pair.j));
   }
   std::vector<std::pair<std::int32_t, std::int32_t>> expected;
-  for (std::int32_t i = 0; i < 80; ++i) {
-    for (std::int32_t j = i + 1; j < 80; ++j) {
+  for (std::int32_t i = 0; i < 100; ++i) {
+    for (std::int32_t j = i + 1; j < 100; ++j) {
       const std::vector<Vec<3, double>> two{places[static_cast<std::size_t>(i)],
                                             places[static_cast<std::size_t>(j)]};
       const std::vector<double> both{diameters[static_cast<std::size_t>(i)],

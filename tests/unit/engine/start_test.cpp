@@ -131,10 +131,10 @@ TEST(FccStart, PutsSpheresOfDifferentDiametersInRandomOrderWhereTheyFit) {
   diameters[0] = 1.4;
   diameters[1] = 1.3;
   const auto cube = support::cube(box_side<3>(108, 0.3));
-  const State start = make_start<3>({Arrangement::fcc, 108, 1, 1, diameters}, cube);
+  const State start = make_start<3>({Arrangement::fcc, 108, 1, 1, {diameters}}, cube);
   EXPECT_NE(start.positions, fcc_start(1).positions);
   std::fill(diameters.begin(), diameters.end(), 1.4);
-  EXPECT_THROW(make_start<3>({Arrangement::fcc, 108, 1, 1, diameters}, cube),
+  EXPECT_THROW(make_start<3>({Arrangement::fcc, 108, 1, 1, {diameters}}, cube),
                std::invalid_argument);
 }
 
@@ -158,6 +158,29 @@ TEST(Start, HasZeroMomentumAndTheWantedTemperature) {
     const double wanted = spheres == 108 ? 6e-3 : 1;
     EXPECT_NEAR(twice_energy / (3 * spheres) / wanted, 1, 1e-14);
   }
+}
+
+TEST(Start, SharesTheTemperatureByMassAndLeavesImmobileSpheresAtRest) {
+  Grains<double> grains;
+  grains.masses.assign(300, 1);
+  std::fill(grains.masses.begin(), grains.masses.begin() + 150, 100.0);
+  grains.immobile.assign(300, 0);
+  grains.immobile[3] = 1;
+  Random random(1);
+  const auto velocities = thermal_velocities<3>(300, 2, random, grains);
+  Vector momentum;
+  double heavy = 0;
+  double light = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    if (i == 3) continue;
+    momentum += velocities[i] * grains.masses[i];
+    (i < 150 ? heavy : light) += grains.masses[i] * dot(velocities[i], velocities[i]);
+  }
+  EXPECT_EQ(dot(velocities[3], velocities[3]), 0);
+  EXPECT_NEAR((heavy + light) / 3 / 299, 2, 1e-13);
+  // 450 components each: their variances differ by less than five times sqrt(2 * 2 / 450).
+  EXPECT_NEAR(heavy / light, 149.0 / 150, 5 * 0.094);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(momentum[axis], 0, 1e-10);
 }
 
 TEST(Start, ColdSpheresAreAtRest) {
