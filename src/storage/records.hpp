@@ -18,10 +18,13 @@ struct Snapshot {
   /// N x D: through how many boxes a sphere has come since the start, along the box vectors; empty
   /// where that is not known.
   std::vector<std::int32_t> images{};
+  /// Angular velocities, radians/time: N x 3, in two dimensions N; empty where nothing turns.
+  std::vector<double> angular_velocities{};
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.step, self.time, self.positions, self.velocities, self.box_edges, self.images);
+    archive(self.step, self.time, self.positions, self.velocities, self.box_edges, self.images,
+            self.angular_velocities);
   }
 };
 
