@@ -50,6 +50,7 @@ inline constexpr std::uint8_t absorbed = 4;       ///< changed no bit of a veloc
 inline constexpr std::uint8_t receding = 8;       ///< receding by rounding: no impulse
 inline constexpr std::uint8_t clock_stood = 16;   ///< the clock did not move forward
 inline constexpr std::uint8_t made_elastic = 32;  ///< by the TC model
+inline constexpr std::uint8_t sliding = 64;       ///< of rough surfaces: friction was at its limit
 }  // namespace collision_flag
 
 /// Rows of the collision log, column by column as they are stored.
