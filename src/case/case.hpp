@@ -44,7 +44,7 @@ struct SpeciesContact {
 };
 
 /// What the rules about the box need to know of the diameters of all spheres.
-struct Sizes {
+struct SizeSummary {
   double mean_power = 1;  ///< mean of diameter^D
   double smallest = 1;
   double largest = 1;
@@ -63,7 +63,7 @@ struct Case {
     double solids_volume_fraction = 0;  ///< of the box; 0 where `sides` are given
     double aspect_ratio = 1;            ///< side along x / each other side
     std::vector<double> sides{};        ///< D sides; empty: from the two keys above
-    Sizes sizes{};                      ///< no key: what follows from species and their spread
+    SizeSummary sizes{};                ///< no key: what follows from species and their spread
   } system;
   std::vector<Species> species{};          ///< empty: unit spheres of one kind
   std::vector<SpeciesContact> contacts{};  ///< no two of the same pair
@@ -90,6 +90,7 @@ struct Case {
     std::optional<Axis> axis;  ///< normal of the walls; none: no walls
     double restitution = 1;
     double tangential_restitution = -1;  ///< -1 smooth, 0 the sphere takes the wall's velocity
+    std::optional<Friction> friction{};  ///< of rough spheres; none: unbounded
     double lower_speed = 0;              ///< of the wall along x, diameters/time
     double upper_speed = 0;
   } walls;
