@@ -17,7 +17,7 @@ constexpr double most_boxes = 0x1p53;
 template <int Dim, class Real>
 Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& acceleration,
                             ArchiveReader& archive)
-    : Spheres(archive.template next<LargeVector<Sphere>>(), box, acceleration) {
+    : Spheres(archive.template next<HugePageVector<Sphere>>(), box, acceleration) {
   for (const Sphere& sphere : spheres_) require_possible(sphere);
   const auto anchors = archive.template next<std::vector<Anchor>>();
   require_archived(anchors.size() == spheres_.size(), "anchors of another number of spheres");
@@ -57,7 +57,7 @@ void Spheres<Dim, Real>::read_images(ArchiveReader& archive) {
   require_archived(offset == 0 || (may_be_displaced && 2 * abs(offset) <= box_.sides()[0]),
                    "images that there are not");
   displace_images(offset);
-  boxes_ = archive.template next<LargeVector<Vec<Dim, double>>>();
+  boxes_ = archive.template next<HugePageVector<Vec<Dim, double>>>();
   require_archived(boxes_.size() == spheres_.size(), "boxes of another number of spheres");
   for (const Vec<Dim, double>& boxes : boxes_) {
     for (const double number : boxes.components) {

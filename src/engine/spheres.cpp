@@ -14,7 +14,7 @@ namespace zenosphere {
 template <int Dim, class Real>
 Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                             const Vector& acceleration)
-    : Spheres(LargeVector<Sphere>(start.positions.size()), box, acceleration) {
+    : Spheres(HugePageVector<Sphere>(start.positions.size()), box, acceleration) {
   assert(start.positions.size() == start.velocities.size());
   displace_images(start.offset);
   place(start);
@@ -32,7 +32,7 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
 
 /// Spheres that are in no cell and on no list yet.
 template <int Dim, class Real>
-Spheres<Dim, Real>::Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Real>& box,
+Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, const ShearBox<Dim, Real>& box,
                             const Vector& acceleration)
     : box_(box),
       cells_(box.cells()),

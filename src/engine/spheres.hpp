@@ -13,9 +13,9 @@
 #include "engine/configuration.hpp"
 #include "engine/contacts_ahead.hpp"
 #include "engine/fetching.hpp"
-#include "engine/large_vector.hpp"
+#include "engine/floating_point_filter.hpp"
+#include "engine/huge_page_vector.hpp"
 #include "engine/neighbour_lists.hpp"
-#include "engine/rough_viewpoint.hpp"
 #include "engine/settling.hpp"
 #include "engine/sliding_cells.hpp"
 #include "engine/sphere.hpp"
@@ -118,7 +118,7 @@ class Spheres {
   void find_contacts(std::int32_t i, std::span<const Neighbour> neighbours, const Real& when,
                      ContactsAhead<Real>& ahead) const {
     const Viewpoint<Dim, Real> here = viewpoint(i, when);
-    const RoughViewpoint<Dim> roughly(here);
+    const FloatingPointFilter<Dim> roughly(here);
     for (const Neighbour neighbour : neighbours) {
       if constexpr (!std::is_floating_point_v<Real>) {  // dear numbers
         const Sphere& other = (*this)[neighbour.sphere()];
@@ -198,7 +198,8 @@ class Spheres {
     double above;
   };
 
-  Spheres(LargeVector<Sphere> spheres, const ShearBox<Dim, Real>& box, const Vector& acceleration);
+  Spheres(HugePageVector<Sphere> spheres, const ShearBox<Dim, Real>& box,
+          const Vector& acceleration);
   void displace_images(const Real& offset);
   void place(const Configuration<Dim, Real>& start);
   Vector way_to_anchor(const Vector& velocity, const Real& flight) const;
@@ -268,8 +269,8 @@ class Spheres {
   std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded
   Real offset_ = 0;                     ///< of the upper image of the box at the start, diameters
   double odd_offset_ = 0;               ///< of it the part beside whole cells, in cells
-  LargeVector<Sphere> spheres_;
-  LargeVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
+  HugePageVector<Sphere> spheres_;
+  HugePageVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
   NeighbourLists lists_;
   AnchorCells anchor_cells_;
   std::vector<Neighbour> nearby_;               ///< scratch

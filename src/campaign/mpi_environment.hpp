@@ -3,12 +3,12 @@
 namespace zenosphere {
 
 /// How many copies of this program mpirun or srun has started together, as their environment tells
-/// each of them; 1 where nobody did. Asks no MPI library.
-int launched_ranks();
+/// each of them; 1 otherwise. Asks no MPI library.
+int ranks_in_environment();
 
-/// The same with the environment of somebody else.
+/// The same for another environment.
 ///
 /// \param variable  the value of an environment variable, or null
-int launched_ranks(const char* (*variable)(const char* name));
+int ranks_in_environment(const char* (*variable)(const char* name));
 
 }  // namespace zenosphere

@@ -1,4 +1,4 @@
-#include "storage/rehearsal.hpp"
+#include "storage/sandboxed_read.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -115,8 +115,8 @@ std::string reason_of(int status) {
 
 }  // namespace
 
-void rehearse(const std::filesystem::path& path, std::int64_t bytes,
-              const std::function<void()>& reading) {
+void sandboxed_read(const std::filesystem::path& path, std::int64_t bytes,
+                    const std::function<void()>& reading) {
   std::array<int, 2> ends{-1, -1};
   const pid_t copy = pipe2(ends.data(), O_CLOEXEC) == 0 ? fork() : -1;
   if (copy == 0) read_in_copy(bytes, reading, ends[1]);

@@ -1,4 +1,4 @@
-#include "export/new_file.hpp"
+#include "storage/new_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

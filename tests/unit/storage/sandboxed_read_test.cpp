@@ -1,4 +1,4 @@
-#include "storage/rehearsal.hpp"
+#include "storage/sandboxed_read.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,32 +15,32 @@ namespace {
 /// What is said about a reading, or nothing.
 std::string problem(const std::function<void()>& reading) {
   try {
-    rehearse("a.h5", 0, reading);
+    sandboxed_read("a.h5", 0, reading);
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(Rehearsal, OfAReadingThatGoesWellChangesNothingHere) {
+TEST(SandboxedRead, OfAReadingThatGoesWellChangesNothingHere) {
   int readings = 0;
   EXPECT_EQ(problem([&] { ++readings; }), "");
   EXPECT_EQ(readings, 0);  // it was another process that counted
 }
 
-TEST(Rehearsal, PassesRefusalsOn) {
+TEST(SandboxedRead, PassesRefusalsOn) {
   const std::string text(100'000, 'x');  // more than a pipe holds
   EXPECT_EQ(problem([&] { throw InputError(text); }), text);
 }
 
-TEST(Rehearsal, SurvivesAReadingThatCrashes) {
+TEST(SandboxedRead, SurvivesAReadingThatCrashes) {
   EXPECT_EQ(problem([] { std::abort(); }),
             "a.h5: cannot be read (HDF5 fails while it reads it); it is damaged");
   EXPECT_EQ(problem([] { throw 1; }),
             "a.h5: cannot be read (HDF5 fails while it reads it); it is damaged");
 }
 
-TEST(Rehearsal, BoundsMemory) {
+TEST(SandboxedRead, BoundsMemory) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers map terabytes";
 #endif
@@ -48,7 +48,7 @@ TEST(Rehearsal, BoundsMemory) {
             "a.h5: cannot be read (reading it takes too much memory); it is damaged");
 }
 
-TEST(Rehearsal, WritesNoFiles) {
+TEST(SandboxedRead, WritesNoFiles) {
   const TemporaryFolder folder;
   const auto file = folder.path / "x";
   EXPECT_NE(problem([&] { std::ofstream(file) << "text" << std::flush; }), "");

@@ -10,17 +10,17 @@
 
 namespace zenosphere {
 
-/// A viewpoint in double for spheres that have more digits. What it tells of them it tells for
-/// sure.
+/// A floating-point filter: a sphere in double, which rules out contacts of spheres that have more
+/// digits. What it rules out is ruled out for sure.
 ///
 /// Most neighbours part from a sphere, or pass it by far. Their first digits say so, which cost
 /// little beside a hundred. The errors of leaving out the others, and of rounding, are carried
 /// along as bounds; a pair for which they leave a contact possible is left to contact().
 template <int Dim>
-class RoughViewpoint {
+class FloatingPointFilter {
  public:
   template <class Real>
-  explicit RoughViewpoint(const Viewpoint<Dim, Real>& exact)
+  explicit FloatingPointFilter(const Viewpoint<Dim, Real>& exact)
       : from_{rough(exact.position), rough(exact.velocity), static_cast<double>(exact.when)} {}
 
   /// Whether contact() lets nobody touch this sphere, which flies straight; false: look closer.

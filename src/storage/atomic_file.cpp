@@ -1,10 +1,11 @@
-#include "export/draft.hpp"
+#include "storage/atomic_file.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "model/errors.hpp"
 #include "storage/durable.hpp"
@@ -23,15 +24,10 @@ fs::path with_suffix(fs::path path, const std::string& suffix) {
   return path;
 }
 
-bool is_frame(const fs::directory_entry& entry) {
-  const std::string name = entry.path().filename().string();
-  return entry.is_regular_file() && name.starts_with("frame-") && name.ends_with(".vtp");
-}
-
-bool holds_frames_only(const fs::path& folder) {
+bool holds_only(const fs::path& folder, bool (*is_of_kind)(const fs::directory_entry&)) {
   std::error_code failure;
   const fs::directory_iterator entries(folder, failure);
-  return !failure && std::all_of(begin(entries), end(entries), is_frame);
+  return !failure && std::all_of(begin(entries), end(entries), is_of_kind);
 }
 
 /// Does something to the file system; what that says goes to the user.
@@ -49,28 +45,29 @@ void guarded(const fs::path& shown, const std::string& what, Action action) {
 
 }  // namespace
 
-fs::path frame_name(std::int64_t number) { return fmt::format("frame-{:06}.vtp", number); }
+AtomicFile::AtomicFile(const fs::path& target, Existing existing)
+    : AtomicFile(target, existing, FolderOf{}) {}
 
-Draft::Draft(const fs::path& target, Kind kind, Occupied occupied)
-    : shown_(target), target_(target), kind_(kind), occupied_(occupied) {
+AtomicFile::AtomicFile(const fs::path& target, Existing existing, FolderOf kind)
+    : shown_(target), target_(target), existing_(existing), kind_(std::move(kind)) {
   std::error_code ignored;
   const bool leads_on = fs::is_symlink(target, ignored) && fs::exists(target, ignored);
   if (leads_on) target_ = fs::canonical(target, ignored);
   require_permitted();
   path_ = with_suffix(target_, fmt::format(".part-{}", getpid()));
   if (fs::exists(fs::symlink_status(path_, ignored))) {
-    refuse(path_, "is left from an export that was cut off; delete it");
+    refuse(path_, "is left from a command that was cut off; delete it");
   }
-  if (kind == Kind::folder) guarded(shown_, "created", [&] { fs::create_directory(path_); });
+  if (is_folder()) guarded(shown_, "created", [&] { fs::create_directory(path_); });
 }
 
-Draft::~Draft() {
+AtomicFile::~AtomicFile() {
   std::error_code ignored;
   if (!is_in_place_) fs::remove_all(path_, ignored);
 }
 
 /// Throws where the folder is missing or something is there that may not be replaced.
-void Draft::require_permitted() const {
+void AtomicFile::require_permitted() const {
   std::error_code ignored;
   const fs::path parent = target_.has_parent_path() ? target_.parent_path() : ".";
   if (!fs::is_directory(parent, ignored)) {
@@ -79,19 +76,19 @@ void Draft::require_permitted() const {
   }
   const auto status = fs::status(target_, ignored);
   if (!fs::exists(status)) return;
-  if (occupied_ == Occupied::refuse) {
+  if (existing_ == Existing::refuse) {
     refuse(shown_, "exists already; choose another name or pass --overwrite");
   }
-  if (kind_ == Kind::file && !fs::is_regular_file(status)) {
+  if (!is_folder() && !fs::is_regular_file(status)) {
     refuse(shown_, "is not a regular file; choose another name");
   }
-  if (kind_ == Kind::folder && !(fs::is_directory(status) && holds_frames_only(target_))) {
-    refuse(shown_, "is not a folder of frames only (frame-*.vtp); choose another name");
+  if (is_folder() && !(fs::is_directory(status) && holds_only(target_, kind_.holds))) {
+    refuse(shown_, "is not a folder of " + kind_.content + " only; choose another name");
   }
 }
 
-void Draft::put_in_place() {
-  require_permitted();  // somebody may have been faster
+void AtomicFile::put_in_place() {
+  require_permitted();  // another process may have been faster
   guarded(shown_, "put in place", [&] {
     const fs::path old = with_suffix(target_, fmt::format(".old-{}", getpid()));
     const bool moves_aside = fs::is_directory(target_);

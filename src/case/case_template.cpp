@@ -1,4 +1,4 @@
-#include "case/case_draft.hpp"
+#include "case/case_template.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -8,8 +8,8 @@
 
 namespace zenosphere {
 
-Case CaseDraft::with(std::vector<case_format::Entry> overrides,
-                     case_format::Problems& problems) const {
+Case CaseTemplate::with(std::vector<case_format::Entry> overrides,
+                        case_format::Problems& problems) const {
   std::vector<case_format::Entry> entries = entries_;
   for (auto& entry : overrides) {
     std::erase_if(entries, [&](const auto& old) {
@@ -22,7 +22,7 @@ Case CaseDraft::with(std::vector<case_format::Entry> overrides,
   return values;
 }
 
-Case CaseDraft::with(std::span<const std::string> overrides) const {
+Case CaseTemplate::with(std::span<const std::string> overrides) const {
   case_format::Problems problems;
   Case values = with(case_format::entries_of(overrides, problems), problems);
   problems.throw_if_any();

@@ -41,6 +41,6 @@ struct HugePages {
 
 /// A vector that may be large and is read at random.
 template <class T>
-using LargeVector = std::vector<T, HugePages<T>>;
+using HugePageVector = std::vector<T, HugePages<T>>;
 
 }  // namespace zenosphere

@@ -19,7 +19,7 @@ namespace zenosphere {
 /// \param reading   may throw InputError
 /// Throws the InputError of the reading, or one that says how the copy ended.
 /// Source: HDF5 1.10 has published crashes on damaged files, for example CVE-2021-37501.
-void rehearse(const std::filesystem::path& path, std::int64_t bytes,
-              const std::function<void()>& reading);
+void sandboxed_read(const std::filesystem::path& path, std::int64_t bytes,
+                    const std::function<void()>& reading);
 
 }  // namespace zenosphere

@@ -3,20 +3,20 @@
 #include <filesystem>
 #include <optional>
 
-#include "export/draft.hpp"
-#include "export/new_file.hpp"
+#include "storage/atomic_file.hpp"
+#include "storage/new_file.hpp"
 
 namespace zenosphere {
 
 /// Whether a name stands for standard output: `-`, and what Linux calls it.
 bool is_standard_output(const std::filesystem::path& name);
 
-/// Where an export of one file goes: to a file that appears once it is complete, or to standard
+/// Where a text goes: to a file that appears once it is complete, or to standard
 /// output as it comes. Every function throws OutputError.
 class TextTarget {
  public:
-  /// \param occupied  whether a file that is there may be replaced
-  TextTarget(const std::filesystem::path& name, Occupied occupied);
+  /// \param existing  whether a file that is there may be replaced
+  TextTarget(const std::filesystem::path& name, Existing existing);
 
   NewFile& file() { return *file_; }
 
@@ -24,7 +24,7 @@ class TextTarget {
   void finish();
 
  private:
-  std::optional<Draft> draft_;  ///< none: standard output
+  std::optional<AtomicFile> target_;  ///< none: standard output
   std::optional<NewFile> file_;
 };
 

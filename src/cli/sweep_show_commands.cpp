@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,8 +14,7 @@
 #include "cli/console.hpp"
 #include "cli/outputs.hpp"
 #include "cli/values.hpp"
-#include "export/text_target.hpp"
-#include "model/errors.hpp"
+#include "storage/text_target.hpp"
 
 namespace zenosphere {
 
@@ -36,29 +33,20 @@ int show(const Arguments& arguments) {
 }
 
 int csv(const Arguments& arguments) {
-  const bool is_printed = !arguments.output || is_standard_output(*arguments.output);
-  if (!is_printed) {
-    require_name(*arguments.output);
-    require_other_than(arguments.file, *arguments.output, "the store itself");
-  }
+  const std::string output = arguments.output.value_or("-");
+  require_name(output);
+  require_other_than(arguments.file, output, "the store itself");
   Database database(arguments.file, Database::Access::read);
   stored_sweep(database);
-  if (is_printed) {
-    write_csv(database, print);
-    return exit_code::done;
-  }
-  std::ofstream file(*arguments.output, std::ios::binary);
-  write_csv(database, [&](const std::string& text) { file << text; });
-  file.close();
-  if (!file) {
-    throw OutputError(*arguments.output + ": could not be written; choose another place");
-  }
+  TextTarget target(output, Existing::replace);  // it can always be made again
+  write_csv(database, [&](const std::string& text) { target.file().write(text); });
+  target.finish();
   return exit_code::done;
 }
 
 }  // namespace
 
-void add_sweep_looks(CLI::App& command, int& status) {
+void add_sweep_show_and_csv(CLI::App& command, int& status) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& show_command =
       *command.add_subcommand("show", "print the case file of one run, for zenosphere run");

@@ -1,4 +1,4 @@
-#include "export/text_target.hpp"
+#include "storage/text_target.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,18 +12,18 @@ bool is_standard_output(const std::filesystem::path& name) {
   return std::find(names.begin(), names.end(), name.string()) != names.end();
 }
 
-TextTarget::TextTarget(const std::filesystem::path& name, Occupied occupied) {
+TextTarget::TextTarget(const std::filesystem::path& name, Existing existing) {
   if (is_standard_output(name)) {
     file_.emplace(NewFile::standard_output);
     return;
   }
-  draft_.emplace(name, Draft::Kind::file, occupied);
-  file_.emplace(draft_->path(), name);
+  target_.emplace(name, existing);
+  file_.emplace(target_->path(), name);
 }
 
 void TextTarget::finish() {
   file_->close();
-  if (draft_) draft_->put_in_place();
+  if (target_) target_->put_in_place();
 }
 
 }  // namespace zenosphere

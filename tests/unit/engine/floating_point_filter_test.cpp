@@ -1,4 +1,4 @@
-#include "engine/rough_viewpoint.hpp"
+#include "engine/floating_point_filter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct Pair {
   Image<Dim, Quad> image;
 
   bool may_touch() const { return contact(support::motion_seen(here, other, image)).has_value(); }
-  bool misses_roughly() const { return RoughViewpoint<Dim>(here).misses(other, image); }
+  bool misses_roughly() const { return FloatingPointFilter<Dim>(here).misses(other, image); }
 };
 
 /// More digits than a double has.
@@ -56,7 +56,7 @@ void graze(Pair<2>& pair, double miss, double closing_speed, support::Dice& dice
   pair.other.position = pair.here.position + nearest - closing * flight;
 }
 
-TEST(RoughViewpoint, LosesNoPairThatTouches) {
+TEST(FloatingPointFilter, LosesNoPairThatTouches) {
   support::Dice dice{5};
   int touching = 0;
   int missed = 0;
@@ -72,7 +72,7 @@ TEST(RoughViewpoint, LosesNoPairThatTouches) {
   EXPECT_EQ(missed + touching, pairs);  // chance does not come near the bounds
 }
 
-TEST(RoughViewpoint, LeavesOpenWhatTakesMoreDigits) {
+TEST(FloatingPointFilter, LeavesOpenWhatTakesMoreDigits) {
   support::Dice dice{6};
   for (const double speed : {1.0, 1e-6, 1e-10, 1e-14, 1e-20}) {
     for (const double miss : {1e-16, 1e-20, 1e-30, -1e-30, -1e-20, -1e-16}) {
@@ -84,7 +84,7 @@ TEST(RoughViewpoint, LeavesOpenWhatTakesMoreDigits) {
   }
 }
 
-TEST(RoughViewpoint, KnowsTheLessTheSlowerTwoApproachEachOther) {
+TEST(FloatingPointFilter, KnowsTheLessTheSlowerTwoApproachEachOther) {
   support::Dice dice{7};
   const auto misses = [&](double miss, double speed) {
     Pair<2> pair = some_pair<2>(dice);
@@ -97,7 +97,7 @@ TEST(RoughViewpoint, KnowsTheLessTheSlowerTwoApproachEachOther) {
   EXPECT_FALSE(misses(1e-2, 1e-15));
 }
 
-TEST(RoughViewpoint, LeavesOpenWhatADoubleCannotHold) {
+TEST(FloatingPointFilter, LeavesOpenWhatADoubleCannotHold) {
   support::Dice dice{8};
   Pair<2> slow = some_pair<2>(dice);
   slow.here.velocity = {};

@@ -11,12 +11,12 @@
 namespace zenosphere {
 
 /// What a case file says, read once, for any number of cases that differ in some keys.
-class CaseDraft {
+class CaseTemplate {
  public:
   /// \param entries  of a case file, no two for the same key
   /// \param name     of that file: stands in front of a problem that has no line, and a relative
   ///                 start.file is meant from its folder
-  CaseDraft(std::vector<case_format::Entry> entries, std::string name)
+  CaseTemplate(std::vector<case_format::Entry> entries, std::string name)
       : entries_(std::move(entries)), name_(std::move(name)) {}
 
   /// The case with some keys replaced or added, without a text of its own.

@@ -1,4 +1,4 @@
-#include "campaign/launch.hpp"
+#include "campaign/mpi_environment.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace zenosphere {
 
-int launched_ranks(const char* (*variable)(const char* name)) {
+int ranks_in_environment(const char* (*variable)(const char* name)) {
   // Open MPI's mpirun; MPICH's mpirun and srun --mpi=pmi2; MVAPICH; every srun.
   constexpr std::array sizes{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE"};
   int ranks = 1;
@@ -19,8 +19,8 @@ int launched_ranks(const char* (*variable)(const char* name)) {
   return ranks;
 }
 
-int launched_ranks() {
-  return launched_ranks([](const char* name) -> const char* { return std::getenv(name); });
+int ranks_in_environment() {
+  return ranks_in_environment([](const char* name) -> const char* { return std::getenv(name); });
 }
 
 }  // namespace zenosphere
