@@ -76,11 +76,11 @@ void AtomicFile::require_permitted() const {
   }
   const auto status = fs::status(target_, ignored);
   if (!fs::exists(status)) return;
-  if (existing_ == Existing::refuse) {
-    refuse(shown_, "exists already; choose another name or pass --overwrite");
-  }
   if (!is_folder() && !fs::is_regular_file(status)) {
     refuse(shown_, "is not a regular file; choose another name");
+  }
+  if (existing_ == Existing::refuse) {
+    refuse(shown_, "exists already; choose another name or pass --overwrite");
   }
   if (is_folder() && !(fs::is_directory(status) && holds_only(target_, kind_.holds))) {
     refuse(shown_, "is not a folder of " + kind_.content + " only; choose another name");
