@@ -22,6 +22,11 @@ class Case:
     def resolved(self) -> str: ...
     @property
     def derived(self) -> str: ...
+    def grains(
+        self,
+    ) -> tuple[
+        NDArray[np.float64], NDArray[np.float64], NDArray[np.int32], NDArray[np.uint8]
+    ]: ...
 
 class Run:
     @staticmethod
@@ -44,6 +49,7 @@ class Run:
         NDArray[np.float64],
         NDArray[np.float64],
         NDArray[np.int32] | None,
+        NDArray[np.float64] | None,
     ]: ...
     @property
     def is_over(self) -> bool: ...
@@ -67,6 +73,7 @@ class Output:
         NDArray[np.float64],
         NDArray[np.float64],
         NDArray[np.int32] | None,
+        NDArray[np.float64] | None,
     ]: ...
     @property
     def info(self) -> str: ...

@@ -3,12 +3,29 @@
 import os
 import tomllib
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
 from .toml_text import override_texts, tables_text
 
 Overrides = Mapping[str, Any]
+
+
+class Grains(NamedTuple):
+    """What each of N spheres is, spheres in the order of the species of their case.
+
+    diameter, mass: (N,), in the units of the case
+    kind: (N,) int32, number of the species, from 0
+    immobile: (N,) bool
+    """
+
+    diameter: NDArray[np.float64]
+    mass: NDArray[np.float64]
+    kind: NDArray[np.int32]
+    immobile: NDArray[np.bool_]
 
 
 class Case:
@@ -17,7 +34,7 @@ class Case:
     Units: sphere diameter = mass = 1, times in the case's own unit.
 
     tables: the case as nested dicts, `{"system": {"spheres": 108, ...}, ...}`; numbers may be
-    NumPy's
+    NumPy's; `species` and `contact` are lists of dicts
     overrides: keys and the values that replace theirs, `{"system.restitution": 0.2}`
     name: what the messages call the case; a relative `start.file` is relative to its folder
     Raises InputError, one line for each problem, with the texts of the program. In a case from a
@@ -70,6 +87,12 @@ class Case:
     def derived(self) -> str:
         """What follows from the case, in words, as `zenosphere check` prints it."""
         return self._core.derived
+
+    @property
+    def grains(self) -> Grains:
+        """Diameter, mass, kind and immobile of each sphere, drawn where the case draws them."""
+        diameter, mass, kind, immobile = self._core.grains()
+        return Grains(diameter, mass, kind, immobile.astype(bool))
 
     def __eq__(self, other: object) -> bool:
         return self.resolved == other.resolved if isinstance(other, Case) else NotImplemented

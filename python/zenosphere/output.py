@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from .case import Case
+from .case import Case, Grains
 from .run import State
 
 
@@ -74,6 +74,11 @@ class Output:
         return Case._of(_core.Case.restored(self._core.resolved, self._core.text))
 
     @cached_property
+    def grains(self) -> Grains:
+        """What each sphere is: arrays of diameter, mass, kind and immobile."""
+        return self.case.grains
+
+    @cached_property
     def collisions(self) -> NDArray[np.void]:
         """The collision log, a structured array (K,) of `COLLISION_DTYPE`.
 
@@ -133,11 +138,12 @@ class Snapshots(Sequence[State]):
         return (self._read(number) for number in range(len(self)))
 
     def _read(self, number: int) -> State:
-        collisions, time, positions, velocities, box_edges, images = self._core.snapshot(number)
+        collisions, time, positions, velocities, box_edges, images, spins = (
+            self._core.snapshot(number))
         peculiar = velocities.copy()
         if self._shear_rate:  # the imposed profile (docs/file-format.md)
             peculiar[:, 0] -= self._shear_rate * (positions[:, 1] - box_edges[1, 1] / 2)
-        return State(collisions, time, positions, velocities, peculiar, box_edges, images)
+        return State(collisions, time, positions, velocities, peculiar, box_edges, images, spins)
 
 
 def open(path: str | os.PathLike[str]) -> Output:  # noqa: A001

@@ -42,6 +42,7 @@ class State:
     offset
     images: (N, D) int32, through how many boxes each sphere has come since the start, along the
     box vectors; None in a file of a program that did not count them
+    angular_velocities: (N, 3), in two dimensions (N, 1), radians/time; None where nothing turns
     """
 
     collisions: int
@@ -51,6 +52,7 @@ class State:
     peculiar_velocities: NDArray[np.float64]
     box_edges: NDArray[np.float64]
     images: NDArray[np.int32] | None = None
+    angular_velocities: NDArray[np.float64] | None = None
 
     def __eq__(self, other: object) -> bool:
         """Whether all numbers are equal."""

@@ -13,7 +13,7 @@ def tables_text(tables: Mapping[str, Mapping[str, Any]], name: str) -> str:
     """A TOML text of tables of values.
 
     tables: `{"system": {"restitution": 0.2}}`; a value is a bool, a number, a text or a sequence
-    of those, NumPy's included
+    of those, NumPy's included. A list of such dicts in place of one is an array of tables
     name: what error messages begin with
     Raises InputError for what TOML cannot say.
     """
@@ -22,13 +22,24 @@ def tables_text(tables: Mapping[str, Mapping[str, Any]], name: str) -> str:
                          " {'system': {...}, ...}, or use Case.read or Case.parse")
     lines = []
     for table, values in tables.items():
+        if _is_list_of_tables(values):
+            for item in values:
+                lines += ["", f"[[{_key(table)}]]", *_table_lines(item, f"{name}: {table}")]
+            continue
         if not isinstance(values, Mapping):
             raise InputError(f"{name}: {table} = {values!r} (found no dict, needs one with"
                              " the keys of a table); give {'system': {...}, ...}")
-        lines += ["", f"[{_key(table)}]"]
-        lines += [f"{_key(key)} = {value_text(value, f'{name}: {table}.{key}')}"
-                  for key, value in values.items()]
+        lines += ["", f"[{_key(table)}]", *_table_lines(values, f"{name}: {table}")]
     return "\n".join(lines[1:]) + "\n"
+
+
+def _is_list_of_tables(values: Any) -> bool:
+    return (isinstance(values, Sequence) and not isinstance(values, str) and len(values) > 0
+            and all(isinstance(item, Mapping) for item in values))
+
+
+def _table_lines(values: Mapping[str, Any], where: str) -> list[str]:
+    return [f"{_key(key)} = {value_text(value, f'{where}.{key}')}" for key, value in values.items()]
 
 
 def override_texts(overrides: Mapping[str, Any] | None) -> list[str]:

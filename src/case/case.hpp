@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,10 +17,43 @@ enum class DriveKind { none, shear, random };
 enum class RestitutionLaw { constant, viscoelastic, fixed_loss };
 enum class CollisionLog { all, window, none };
 enum class Axis { x, y, z };
+enum class SizeDistribution { uniform, normal, lognormal };
+
+/// Coulomb's coefficient of friction; infinite where nothing ever slides.
+struct Friction {
+  double coefficient = 0;
+  friend bool operator==(const Friction&, const Friction&) = default;
+};
+
+/// One kind of spheres, as a table [[species]] describes it.
+struct Species {
+  std::string name{};
+  double diameter = 0;
+  std::optional<double> mass{};           ///< none: diameter^D, the density of a unit sphere
+  std::optional<double> share{};          ///< of the number of spheres
+  std::optional<std::int64_t> spheres{};  ///< or their number
+  bool immobile = false;
+};
+
+/// What holds between two kinds instead of the values for all, as a table [[contact]] has it.
+struct SpeciesContact {
+  std::array<std::string, 2> between{};
+  std::optional<double> restitution{};
+  std::optional<double> tangential_restitution{};
+  std::optional<Friction> friction{};
+};
+
+/// What the rules about the box need to know of the diameters of all spheres.
+struct Sizes {
+  double mean_power = 1;  ///< mean of diameter^D
+  double smallest = 1;
+  double largest = 1;
+};
 
 /// One run as its user describes it: the resolved content of a case file.
 ///
-/// Lengths are in sphere diameters, masses in sphere masses, times in the case's own unit.
+/// Lengths are in sphere diameters, masses in sphere masses, times in the case's own unit; where
+/// there are species, in the units in which their diameters and masses are given.
 /// The members mirror the tables and keys of the file; docs/case-file.md tells what each means.
 struct Case {
   struct System {
@@ -29,7 +63,14 @@ struct Case {
     double solids_volume_fraction = 0;  ///< of the box; 0 where `sides` are given
     double aspect_ratio = 1;            ///< side along x / each other side
     std::vector<double> sides{};        ///< D sides; empty: from the two keys above
+    Sizes sizes{};                      ///< no key: what follows from species and their spread
   } system;
+  std::vector<Species> species{};          ///< empty: unit spheres of one kind
+  std::vector<SpeciesContact> contacts{};  ///< no two of the same pair
+  struct Polydispersity {
+    std::optional<SizeDistribution> distribution;  ///< none: all of a kind have its diameter
+    double spread = 0;                             ///< standard deviation / mean of the diameter
+  } polydispersity;
   struct Start {
     Arrangement arrangement = Arrangement::fcc;
     std::optional<double> granular_temperature;  ///< (diameter/time)^2; none: as given
@@ -64,6 +105,8 @@ struct Case {
     double energy_loss = 0;            ///< of an energetic collision, mass diameter^2/time^2
     double contact_duration = 0;       ///< of the TC model, time; 0: not used
     double rotation_angle = 0;         ///< largest, radians; 0: not used
+    std::optional<double> tangential_restitution;  ///< beta0; none: smooth spheres
+    std::optional<Friction> friction;              ///< mu, together with it
   } collision;
   struct Collapse {
     GapThreshold gap_threshold = 1e-16;  ///< diameters

@@ -10,12 +10,14 @@
 namespace zenosphere {
 namespace {
 
-/// Side of the cube, square or line that `spheres` fill to `fraction`.
+/// Side of the cube, square or line that the spheres of a case fill to `fraction`: unit spheres
+/// would fill less of it where they are smaller in the mean.
 double cube_side(const Case& values, double fraction) {
   const auto spheres = values.system.spheres;
-  if (values.system.dimension == 1) return box_side<1>(spheres, fraction);
-  if (values.system.dimension == 2) return box_side<2>(spheres, fraction);
-  return box_side<3>(spheres, fraction);
+  const double of_unit_spheres = fraction / values.system.sizes.mean_power;
+  if (values.system.dimension == 1) return box_side<1>(spheres, of_unit_spheres);
+  if (values.system.dimension == 2) return box_side<2>(spheres, of_unit_spheres);
+  return box_side<3>(spheres, of_unit_spheres);
 }
 
 double volume_of(const std::vector<double>& sides) {
@@ -44,7 +46,9 @@ double mean_side(const Case& values) {
 double filled_fraction(const Case& values) {
   const int dimension = values.system.dimension;
   const double sphere = dimension == 1 ? 1 : std::numbers::pi / (dimension == 2 ? 4 : 6);
-  return static_cast<double>(values.system.spheres) * sphere / volume_of(box_sides(values));
+  const double spheres =
+      static_cast<double>(values.system.spheres) * values.system.sizes.mean_power;
+  return spheres * sphere / volume_of(box_sides(values));
 }
 
 std::optional<int> closed_axis(const Case& values) {

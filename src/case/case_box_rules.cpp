@@ -20,11 +20,9 @@ using Objection = std::optional<std::string>;
 /// (pi / (2 sqrt 3) = 0.9068997) and close-packed spheres (pi / (3 sqrt 2) = 0.7404805).
 constexpr std::array densest_packing{1.0, 0.90689, 0.74048};
 
-/// Densest random arrangement. Above 0.494 hard spheres begin to freeze, so that mixing no longer
-/// forgets the order (Hoover & Ree, J. Chem. Phys. 49 (1968) 3609); disks do above 0.70 (Bernard &
-/// Krauth, Phys. Rev. Lett. 107 (2011) 155704), and mix slowly before; rods have no order to forget
-/// and need only some room.
-constexpr std::array densest_random{0.95, 0.6, 0.5};
+/// Densest random arrangement: where spheres and disks that grow jam (engine/growth.cpp), a little
+/// earlier or later by chance; rods need only some room.
+constexpr std::array densest_random{0.95, 0.85, 0.64};
 
 double in_dimension(const std::array<double, 3>& densest, const Case& values) {
   return densest[static_cast<std::size_t>(values.system.dimension) - 1];
@@ -41,12 +39,21 @@ std::string told_apart(double number, double limit) {
 
 bool is_lattice(const Case& values) { return values.start.arrangement == Arrangement::fcc; }
 
+/// What a side must be longer than: two cells for the largest spheres, or one of them between
+/// walls.
+double least_side_of(const Case& values, int axis) {
+  return least_side(closed_axis(values) == axis) * values.system.sizes.largest;
+}
+
+bool are_alike(const Case& values) {
+  return values.system.sizes.smallest == values.system.sizes.largest;
+}
+
 /// The first axis along which the box is too narrow, if there is one.
 std::optional<int> narrow_axis(const Case& values) {
   const std::vector<double> sides = box_sides(values);
   for (int axis = 0; axis < values.system.dimension; ++axis) {
-    if (!(sides[static_cast<std::size_t>(axis)] > least_side(closed_axis(values) == axis)))
-      return axis;
+    if (!(sides[static_cast<std::size_t>(axis)] > least_side_of(values, axis))) return axis;
   }
   return std::nullopt;
 }
@@ -55,8 +62,10 @@ std::optional<int> narrow_axis(const Case& values) {
 bool box_is_wide_enough(std::int64_t spheres, const Case& values) {
   const auto& system = values.system;
   constexpr double thinnest = 1e-100;  // far beyond the largest box
+  const double densest =
+      system.dimension > 0 && are_alike(values) ? in_dimension(densest_packing, values) : 1;
   const bool is_known = system.dimension > 0 && system.solids_volume_fraction > thinnest &&
-                        system.solids_volume_fraction <= in_dimension(densest_packing, values);
+                        system.solids_volume_fraction <= densest;
   if (!is_known || !system.sides.empty()) return true;
   Case box;
   box.system = system;
@@ -133,14 +142,14 @@ Objection denser_than_packed(const Case& values) {
   const double fraction = values.system.solids_volume_fraction;
   if (values.system.dimension == 1 && fraction == 1) return "(must be below 1; rods need room)";
   const double densest = in_dimension(densest_packing, values);
-  if (fraction <= densest) return std::nullopt;
+  if (fraction <= densest || !are_alike(values)) return std::nullopt;
   const std::string_view what = values.system.dimension == 2 ? "disks" : "spheres";
   return fmt::format("(must be in (0, {}]; {} cannot be packed denser)", densest, what);
 }
 
 Objection too_dense_for_random(const Case& values) {
   const double densest = in_dimension(densest_random, values);
-  const bool random = values.start.arrangement == Arrangement::random;
+  const bool random = values.start.arrangement == Arrangement::random && are_alike(values);
   if (!random || values.system.solids_volume_fraction <= densest) return std::nullopt;
   return fmt::format("(must be in (0, {}] for start.arrangement = \"random\")", densest);
 }
@@ -167,6 +176,7 @@ double least_fraction(const Case& values) {
   Case largest;
   largest.system.dimension = dimension;
   largest.system.spheres = values.system.spheres;
+  largest.system.sizes = values.system.sizes;
   largest.system.sides = {volume};
   return filled_fraction(largest);
 }
@@ -184,7 +194,7 @@ Objection box_too_long(const Case& values) {
 std::string narrowness(const Case& values, int axis) {
   const auto& system = values.system;
   const double side = box_sides(values)[static_cast<std::size_t>(axis)];
-  const double least = least_side(closed_axis(values) == axis);
+  const double least = least_side_of(values, axis);
   const bool is_cube = system.sides.empty() && system.aspect_ratio == 1 && !values.walls.axis;
   return fmt::format("the box side{} {} {} diameters, must be above {}",
                      is_cube ? "" : fmt::format(" along {}", axis_letter(axis)),
@@ -215,7 +225,7 @@ Objection sides_hold_too_little(const Case& values) {
   if (values.system.dimension == 1 && fraction == 1) {
     return "(the rods would fill the box; rods need room); use longer sides";
   }
-  if (fraction <= densest) return std::nullopt;
+  if (fraction <= (are_alike(values) ? densest : 1)) return std::nullopt;
   return fmt::format("({} spheres would fill {} of the box, at most {}{}); use longer sides",
                      values.system.spheres, told_apart(fraction, densest), densest,
                      random ? " for start.arrangement = \"random\"" : "");
@@ -241,11 +251,12 @@ Objection lattice_touches_walls(const Case& values) {
   if (!is_lattice(values) || !values.walls.axis) return std::nullopt;
   const double spacing =
       box_sides(values).front() / static_cast<double>(cells_a_side(values.system.spheres));
-  if (spacing / 4 >= 0.5) return std::nullopt;
+  const double radius = values.system.sizes.largest / 2;
+  if (spacing / 4 >= radius) return std::nullopt;
   return fmt::format(
       "(the first layer of fcc would be {} diameters from the wall, must be at "
-      "least 0.5); use start.arrangement = \"random\" or a larger box",
-      told_apart(spacing / 4, 0.5));
+      "least {}); use start.arrangement = \"random\" or a larger box",
+      told_apart(spacing / 4, radius), radius);
 }
 
 }  // namespace

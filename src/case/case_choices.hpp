@@ -34,6 +34,9 @@ inline constexpr std::array law_words{Word{"constant", RestitutionLaw::constant}
 inline constexpr std::array log_words{Word{"all", CollisionLog::all},
                                       Word{"window", CollisionLog::window},
                                       Word{"none", CollisionLog::none}};
+inline constexpr std::array distribution_words{Word{"uniform", SizeDistribution::uniform},
+                                               Word{"normal", SizeDistribution::normal},
+                                               Word{"lognormal", SizeDistribution::lognormal}};
 
 /// All words of a choice.
 inline const auto& words_of(Arrangement) { return arrangement_words; }
@@ -42,6 +45,7 @@ inline const auto& words_of(Axis) { return axis_words; }
 inline const auto& words_of(OverlapRule) { return overlap_words; }
 inline const auto& words_of(RestitutionLaw) { return law_words; }
 inline const auto& words_of(CollisionLog) { return log_words; }
+inline const auto& words_of(SizeDistribution) { return distribution_words; }
 
 /// The word for a choice.
 template <class Choice>

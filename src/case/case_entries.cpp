@@ -162,11 +162,17 @@ std::vector<Entry> entries_of(std::string_view text, const std::string& name,
   if (!root) return entries;
   for (auto&& [key, node] : *root) {
     require_few(entries.size(), name);
-    const Value value = node.is_table() ? Value(TableHead{}) : value_of(node);
+    const bool is_list =
+        node.is_array_of_tables() && (key.str() == "species" || key.str() == "contact");
+    const bool is_table = node.is_table() || is_list;
+    const Value value = is_table ? Value(TableHead{}) : value_of(node);
     entries.push_back({"", std::string(key.str()), value, place_of(key.source(), name),
                        place_of(node.source(), name)});
     if (const auto* table = node.as_table()) {
       append_table(*table, std::string(key.str()), name, entries);
+    }
+    if (is_list) {
+      append_items(*node.as_array(), std::string(key.str()), name, entries);
     }
   }
   return entries;

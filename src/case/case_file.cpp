@@ -11,6 +11,7 @@
 #include "case/case_entries.hpp"
 #include "case/case_table.hpp"
 #include "case/case_template.hpp"
+#include "case/species_table.hpp"
 #include "text/file_kind.hpp"
 
 namespace zenosphere {
@@ -89,7 +90,7 @@ std::string resolved_toml(const Case& values) {
     table = key.table;
     text += fmt::format("{} = {}  # {}\n", key.name, *value, key.meaning);
   }
-  return text;
+  return text + case_format::species_toml(values);
 }
 
 }  // namespace zenosphere

@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <functional>
 #include <map>
 #include <set>
 #include <variant>
 
+#include "case/case_grains.hpp"
 #include "case/case_rules.hpp"
 #include "case/case_table.hpp"
+#include "case/species_reader.hpp"
 
 namespace zenosphere::case_format {
 namespace {
@@ -25,12 +28,14 @@ const Key& key_at(std::string_view path) {
 /// Turns entries into a case: first each by itself, then each key of the table, then the rules.
 class Reader {
  public:
-  Reader(const std::string& name, Problems& problems) : name_(name), problems_(problems) {}
+  Reader(const std::string& name, Problems& problems)
+      : name_(name), problems_(problems), species_(values_, problems) {}
 
   void read(const Entry& entry);
   void settle(const Choice& choice);
   void check_presence(const Key& key);
   void check_presence(const Choice& choice);
+  void check_species();
   void check(const Rule& rule);
   void scale_threshold();
   const Case& values() const { return values_; }
@@ -50,6 +55,7 @@ class Reader {
   const std::string& name_;
   Problems& problems_;
   Case values_;
+  SpeciesReader species_;
   std::map<std::string, const Entry*, std::less<>> given_;  ///< by path, right or wrong
   std::set<std::string, std::less<>> unsettled_;            ///< keys whose value is not known
   std::set<std::string, std::less<>> tables_;               ///< that are there, maybe empty
@@ -58,6 +64,7 @@ class Reader {
 };
 
 void Reader::read(const Entry& entry) {
+  if (SpeciesReader::reads(entry.table)) return species_.read(entry);
   const bool is_head = std::holds_alternative<TableHead>(entry.value);
   tables_.insert(is_head ? entry.name : entry.table);
   if (is_head) return reject_unknown_table(entry);
@@ -72,11 +79,13 @@ void Reader::read(const Entry& entry) {
   const Key* key = key_named(entry.table, entry.name);
   if (!key) return reject_unknown_key(entry);
   given_.emplace(key->path(), &entry);
-  if (const auto objection = store(*key, entry.value, values_)) blame(key->path(), *objection);
+  if (const auto objection = store(key->slot(values_), key->range, entry.value)) {
+    blame(key->path(), *objection);
+  }
 }
 
 void Reader::reject_unknown_table(const Entry& head) {
-  if (is_table(head.name)) return;
+  if (is_table(head.name) || SpeciesReader::reads(head.name)) return;
   unknown_tables_.insert(head.name);
   const auto meant = nearest_table(head.name);
   if (meant) meant_.emplace(*meant);
@@ -191,6 +200,23 @@ void Reader::check_presence(const Choice& choice) {
                             second.empty() ? "" : " or ", second, choice.reason, add, key.table));
 }
 
+/// What the rules about the box read follows from the species; where these are wrong it is not
+/// known.
+void Reader::check_species() {
+  const auto settled = [&](std::string_view path) { return is_settled(path); };
+  constexpr std::array system{"system.dimension", "system.spheres"};
+  constexpr std::array others{"start.seed", "polydispersity.distribution", "polydispersity.spread"};
+  const bool knows_system = std::all_of(system.begin(), system.end(), settled);
+  species_.finish(knows_system);
+  if (species_.is_right() && knows_system && std::all_of(others.begin(), others.end(), settled) &&
+      spread_objection(values_) == std::nullopt) {
+    values_.system.sizes = sizes_of(values_);
+    return;
+  }
+  if (!values_.species.empty())
+    unsettled_.insert({"system.solids_volume_fraction", "system.sides"});
+}
+
 void Reader::check(const Rule& rule) {
   const auto settled = [&](std::string_view path) { return is_settled(path); };
   if (!std::all_of(rule.keys.begin(), rule.keys.end(), settled)) return;
@@ -216,6 +242,7 @@ Case case_of(std::span<const Entry> entries, const std::string& name, Problems& 
       if (choice.keys.front() == key.path()) reader.check_presence(choice);
     }
   }
+  reader.check_species();
   for (const Rule& rule : rules()) reader.check(rule);
   reader.scale_threshold();
   return reader.values();

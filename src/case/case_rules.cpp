@@ -116,6 +116,7 @@ std::vector<Rule> all_rules() {
        nothing_moves_as_given},
       {{"output.log_last", "output.log_first"}, log_ends_before_it_begins}};
   rules.insert(rules.end(), others.begin(), others.end());
+  rules.insert(rules.end(), grain_rules().begin(), grain_rules().end());
   rules.insert(rules.end(), speed_rules().begin(), speed_rules().end());
   return rules;
 }

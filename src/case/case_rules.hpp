@@ -27,6 +27,12 @@ std::span<const Rule> box_rules();
 /// The rules about speeds: what a number type can hold, and tell apart.
 std::span<const Rule> speed_rules();
 
+/// The rules about what the spheres are and how they touch.
+std::span<const Rule> grain_rules();
+
+/// Why polydispersity.spread is none of its distribution; nothing if it is.
+std::optional<std::string> spread_objection(const Case& values);
+
 /// Two keys of which a case needs one.
 struct Choice {
   std::array<std::string_view, 2> keys;  ///< the second may be empty

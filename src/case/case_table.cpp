@@ -70,6 +70,13 @@ constexpr Condition only_sliding = {
     {"walls.axis", ""},
     [](const Case& c) { return c.walls.axis.has_value() && c.walls.axis != Axis::x; },
     "walls normal to y or z, which can move along x"};
+constexpr Condition only_turning = {{"system.dimension", ""},
+                                    [](const Case& c) { return c.system.dimension > 1; },
+                                    "two or three dimensions"};
+constexpr Condition only_spread = {
+    {"polydispersity.distribution", ""},
+    [](const Case& c) { return c.polydispersity.distribution.has_value(); },
+    "a polydispersity.distribution"};
 constexpr Condition only_windowed = {
     {"output.collision_log", ""},
     [](const Case& c) { return c.output.collision_log == CollisionLog::window; },
@@ -86,6 +93,8 @@ constexpr double longest_contact = 1e100;
 constexpr double most_viscoelastic = 1e100;
 // Beyond every collision, and four times it is a number.
 constexpr double most_loss = 1e300;
+// Every contact sticks then; more is "unbounded".
+constexpr double most_friction = 1e100;
 // A right angle: a pair may still recede then, whatever its velocity.
 constexpr double widest_rotation = 1.57;
 
@@ -172,6 +181,19 @@ constexpr std::array key_table{
         [](Case& c) -> Slot { return &c.collision.rotation_angle; },
         from_to(0, widest_rotation, "0 is off"), nullptr,
         "most that a collision turns the relative velocity, at random [radians]"},
+    Key{"collision", "tangential_restitution", optional,
+        [](Case& c) -> Slot { return &c.collision.tangential_restitution; },
+        from_to(-1, 1, "-1 is smooth"), &only_turning,
+        "- tangential speed of the surfaces after a sticking contact / before"},
+    Key{"collision", "friction", optional, [](Case& c) -> Slot { return &c.collision.friction; },
+        from_to(0, most_friction, "or \"unbounded\""), &only_turning,
+        "tangential impulse of a sliding contact / normal impulse"},
+    Key{"polydispersity", "distribution", with_table,
+        [](Case& c) -> Slot { return &c.polydispersity.distribution; }, any, nullptr,
+        "of the diameters of a species"},
+    Key{"polydispersity", "spread", with_table,
+        [](Case& c) -> Slot { return &c.polydispersity.spread; }, from_to(0, 1), &only_spread,
+        "standard deviation / mean of the diameter"},
     Key{"collapse", "gap_threshold", optional,
         [](Case& c) -> Slot { return &c.collapse.gap_threshold; }, above(0), nullptr,
         "a gap up to this meets the separation criterion [diameters]"},

@@ -32,7 +32,8 @@ struct Range {
 using Slot =
     std::variant<double*, int*, std::int64_t*, std::uint64_t*, bool*, std::optional<double>*,
                  std::optional<std::int64_t>*, Arrangement*, DriveKind*, OverlapRule*, Precision*,
-                 GapThreshold*, RestitutionLaw*, CollisionLog*, std::optional<Axis>*, std::string*,
+                 GapThreshold*, RestitutionLaw*, CollisionLog*, std::optional<Axis>*,
+                 std::optional<SizeDistribution>*, std::optional<Friction>*, std::string*,
                  std::vector<double>*, std::vector<std::vector<double>>*>;
 
 /// Most spheres whose positions a case file may write down: they make it 15 MB large.
@@ -86,7 +87,10 @@ std::optional<std::string_view> nearest_table(std::string_view name);
 /// an array of one. How many numbers an array must have is not judged here.
 ///
 /// \return  why not, and what to do, as in `(must be in [0, 1]; 1 is elastic)`; nothing if stored
-std::optional<std::string> store(const Key& key, const Value& value, Case& values);
+std::optional<std::string> store(Slot slot, const Range& range, const Value& value);
+
+/// A value as TOML writes it, or nothing if there is none.
+std::optional<std::string> toml_text(Slot slot);
 
 /// The value as TOML writes it, or nothing if the key has none in this case, which stays unchanged.
 std::optional<std::string> toml_text(const Key& key, Case& values);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <type_traits>
 
 #include "case/case_choices.hpp"
@@ -31,6 +32,11 @@ std::optional<std::string> text_of(const GapThreshold& threshold) {
                                  : in_quotes(threshold.text());
 }
 
+std::optional<std::string> text_of(const Friction& friction) {
+  return std::isinf(friction.coefficient) ? in_quotes("unbounded")
+                                          : real_text(friction.coefficient);
+}
+
 template <class Held>
 std::optional<std::string> text_of(const Held& held) {
   if constexpr (std::is_same_v<Held, Precision>) return in_quotes(held.word());
@@ -54,9 +60,13 @@ std::optional<std::string> text_of(const std::optional<Held>& held) {
 
 }  // namespace
 
+std::optional<std::string> toml_text(Slot slot) {
+  return std::visit([](const auto* held) { return text_of(*held); }, slot);
+}
+
 std::optional<std::string> toml_text(const Key& key, Case& values) {
   if (!key.exists_in(values)) return std::nullopt;
-  return std::visit([](const auto* slot) { return text_of(*slot); }, key.slot(values));
+  return toml_text(key.slot(values));
 }
 
 }  // namespace zenosphere::case_format

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -123,6 +124,15 @@ Objection store_in(double& slot, const Value& value, const Range& range) {
   return std::nullopt;
 }
 
+/// A number, or the word for what nothing bounds.
+Objection store_in(Friction& slot, const Value& value, const Range& range) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text) return store_in(slot.coefficient, value, range);
+  if (*text != "unbounded") return "(must be a number >= 0 or \"unbounded\")";
+  slot.coefficient = std::numeric_limits<double>::infinity();
+  return std::nullopt;
+}
+
 /// The array that the value is, or that the single number which it is stands for.
 std::optional<Array> array_in(const Value& value) {
   if (const auto* array = std::get_if<Array>(&value)) return *array;
@@ -216,9 +226,8 @@ Objection store_in(std::optional<Held>& slot, const Value& value, const Range& r
 
 }  // namespace
 
-std::optional<std::string> store(const Key& key, const Value& value, Case& values) {
-  const auto store_value = [&](auto* slot) { return store_in(*slot, value, key.range); };
-  return std::visit(store_value, key.slot(values));
+std::optional<std::string> store(Slot slot, const Range& range, const Value& value) {
+  return std::visit([&](auto* held) { return store_in(*held, value, range); }, slot);
 }
 
 }  // namespace zenosphere::case_format

@@ -17,7 +17,14 @@ constexpr double most_boxes = 0x1p53;
 template <int Dim, class Real>
 Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& acceleration,
                             ArchiveReader& archive)
-    : Spheres(archive.template next<HugePageVector<Sphere>>(), box, acceleration) {
+    : Spheres(archive.template next<Archived>(), box, acceleration, archive) {}
+
+template <int Dim, class Real>
+Spheres<Dim, Real>::Spheres(Archived archived, const ShearBox<Dim, Real>& box,
+                            const Vector& acceleration, ArchiveReader& archive)
+    : Spheres(std::move(archived.first), std::move(archived.second), box, acceleration) {
+  grains_.require_fit(spheres_.size());
+  read_spins(archive);
   for (const Sphere& sphere : spheres_) require_possible(sphere);
   const auto anchors = archive.template next<std::vector<Anchor>>();
   require_archived(anchors.size() == spheres_.size(), "anchors of another number of spheres");
@@ -27,7 +34,7 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& accele
   read_images(archive);
   const bool was_wide = archive.template next<bool>();
   require_archived(settling_.is_wide || !was_wide, "balls as wide as there are none");
-  if (!was_wide) settling_ = settling_in_crowd(box, count());
+  if (!was_wide) settling_ = settling_in_crowd(box, count(), sizes_of(grains_));
   find_images();
   for (std::int32_t i = 0; i < count(); ++i) {
     anchor(i) = anchors[static_cast<std::size_t>(i)];
@@ -44,6 +51,19 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, const Vector& accele
                            lists_.of(j).size() < NeighbourLists::most,
                        "neighbours that there are not");
       lists_.add(i, neighbour);
+    }
+  }
+}
+
+template <int Dim, class Real>
+void Spheres<Dim, Real>::read_spins(ArchiveReader& archive) {
+  using std::isfinite;
+  archive(spins_);
+  require_archived(spins_.empty() || spins_.size() == spheres_.size(),
+                   "spins of another number of spheres");
+  for (const auto& spin : spins_) {
+    for (const Real& component : spin.components) {
+      require_archived(isfinite(component), "a spin that there is not");
     }
   }
 }
@@ -72,7 +92,7 @@ template <int Dim, class Real>
 void Spheres<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   std::vector<Anchor> anchors;
   for (std::int32_t i = 0; i < count(); ++i) anchors.push_back(anchor(i));
-  archive(spheres_, anchors, std::int32_t{cells_.whole_slide()}, offset_, boxes_,
+  archive(spheres_, grains_, spins_, anchors, std::int32_t{cells_.whole_slide()}, offset_, boxes_,
           settling_.is_wide);
   std::vector<std::uint32_t> later;
   for (std::int32_t i = 0; i < count(); ++i) {
@@ -105,7 +125,7 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
       rules_(rules),
       surroundings_(surroundings),
       calendar_(spheres_.count()),
-      rewind_bound_(box, surroundings.acceleration) {
+      rewind_bound_(box, surroundings.acceleration, spheres_.largest_diameter()) {
   archive(meetings_);
   const auto times = archive.template next<std::vector<Real>>();
   require_archived(times.size() == meetings_.size(), "times of another number of spheres");
@@ -126,8 +146,10 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
         is_possible && elapsed(instant, now_, this->box().clock_unit()) >= earliest_time();
   }
   require_archived(is_possible, "a time that there is not");
-  apply_models();
-  if (contact_physics_) archive(*contact_physics_);
+  require_archived(!rules.table || grains().kind_count() <= rules.table->kinds(),
+                   "a kind that there is not");
+  make_law();
+  if (law_) archive(*law_);
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Real& time = times[static_cast<std::size_t>(i)];
     require_possible(i);
@@ -145,7 +167,7 @@ void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   for (std::int32_t i = 0; i < spheres(); ++i) times.push_back(calendar_.time(i));
   archive(times);
   archive_clock(*this, archive);
-  if (contact_physics_) archive(*contact_physics_);
+  if (law_) archive(*law_);
 }
 
 /// Whether a sphere and one behind it, or a sphere and a wall, can collide.

@@ -26,8 +26,10 @@ class FloatingPointFilter {
   /// Whether contact() lets nobody touch this sphere, which flies straight; false: look closer.
   ///
   /// \param image  in which the sphere is seen, at remainder 0
+  /// \param sigma  mean diameter of the two
   template <class Real>
-  bool misses(const Sphere<Dim, Real>& sphere, const Image<Dim, Real>& image) const {
+  bool misses(const Sphere<Dim, Real>& sphere, const Image<Dim, Real>& image,
+              double sigma = 1) const {
     const Vec<Dim, double> position = rough(sphere.position);
     const Vec<Dim, double> velocity = rough(sphere.velocity);
     const auto time = static_cast<double>(sphere.time);
@@ -44,7 +46,8 @@ class FloatingPointFilter {
     const double places = size(position) + size(velocity) * times + size(from_.position) +
                           size(shift) + std::abs(slid);
     const double velocities = size(velocity) + size(from_.velocity) + std::abs(slide);
-    return is_sure(approach(motion), unit * places, unit * velocities + least);
+    return is_sure(approach(motion), unit * (places + (sigma != 1) * sigma),
+                   unit * velocities + least, sigma);
   }
 
  private:
@@ -67,7 +70,8 @@ class FloatingPointFilter {
 
   /// Whether two that are seen like this part, or pass each other, even if dr and dv are off by as
   /// much as this.
-  static bool is_sure(const Approach<double>& seen, double dr_error, double dv_error) {
+  static bool is_sure(const Approach<double>& seen, double dr_error, double dv_error,
+                      double sigma) {
     const double distance = std::sqrt(seen.r2);
     const double speed = std::sqrt(seen.v2);
     const double b_error =
@@ -75,10 +79,10 @@ class FloatingPointFilter {
     if (seen.b > b_error) return true;
     const double least_distance = distance - dr_error;
     const double least_speed = speed - dv_error;
-    if (!(least_distance > 1 && least_speed > 1e-140)) return false;  // whose square has all digits
+    if (!(least_distance > sigma && least_speed > 1e-140)) return false;  // squares have all digits
     const double most_b = std::abs(seen.b) + b_error;
-    // The discriminant of contact() is negative if b^2 < v2 (r2 - 1).
-    const double least_c = (least_distance - 1) * (least_distance + 1);
+    // The discriminant of contact() is negative if b^2 < v2 (r2 - sigma^2).
+    const double least_c = (least_distance - sigma) * (least_distance + sigma);
     return most_b * most_b < (1 - 1e-9) * (least_speed * least_speed * least_c);
   }
 

@@ -23,11 +23,12 @@ namespace zenosphere {
 template <int Dim, class Real>
 class RewindBound {
  public:
-  RewindBound(const ShearBox<Dim, Real>& box, const Vec<Dim, Real>& acceleration) {
+  RewindBound(const ShearBox<Dim, Real>& box, const Vec<Dim, Real>& acceleration,
+              const Real& largest_diameter = Real(1)) {
     using std::abs;
     Real longest_side = 0;
     for (int axis = 0; axis < Dim; ++axis) longest_side = std::max(longest_side, box.sides()[axis]);
-    way_ = longest_way_back(longest_side);
+    way_ = longest_way_back(longest_side, std::numeric_limits<Real>::epsilon(), largest_diameter);
     Real pull = 0;  // at most sqrt(3) times the size of the acceleration, and no square of it
     for (int axis = 0; axis < Dim; ++axis) pull += abs(acceleration[axis]);
     const Real slide = box.slide_speed() / 2;

@@ -42,10 +42,11 @@ double free_path_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
 }
 
 template <int Dim, class Real>
-Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, bool are_alone) {
+Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes,
+                     bool are_alone) {
   constexpr int grains_of_error = 4;  // of the distance of two anchors; twice that is left
   double widest = 0;
-  double width = fitting_cell_width(static_cast<double>(box.volume()), spheres, Dim);
+  double width = fitting_cell_width(static_cast<double>(box.volume()), spheres, Dim, sizes.largest);
   for (int axis = 0; axis < Dim; ++axis) {
     const double here = static_cast<double>(box.cell_width()[axis]);
     widest = std::max(widest, here);
@@ -59,9 +60,9 @@ Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, bool 
   // Of places 300 diameters apart 1e-11 diameters^2 are rounding, far below what may_touch()
   // allows.
   constexpr double widest_ball = 300;
-  const double most = are_alone ? widest_ball : most_width(Dim);
-  width = std::min(width, std::max(most, 1 + 100 * settling.grain));
-  settling.reach = (width - 1) / 2 - grains_of_error * settling.grain;
+  const double most = are_alone ? widest_ball : most_width(Dim) * sizes.largest;
+  width = std::min(width, std::max(most, sizes.largest + 100 * settling.grain));
+  settling.reach = (width - sizes.largest) / 2 - grains_of_error * settling.grain;
   settling.distance = width;
   settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / 2
                                      : std::numeric_limits<double>::infinity();
@@ -69,8 +70,9 @@ Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, bool 
   const auto clock_unit = static_cast<double>(box.clock_unit());
   settling.expiry_unit = box.is_sheared() ? std::ldexp(1.0, std::ilogb(clock_unit)) : 1.0;
   constexpr std::array<double, 3> unit_balls{2, std::numbers::pi, 4 * std::numbers::pi / 3};
+  const double usual = width - sizes.largest + sizes.mean;  // distance of anchors
   settling.neighbours = spheres / static_cast<double>(box.volume()) *
-                        unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(width, Dim);
+                        unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(usual, Dim);
   constexpr std::int32_t many = 100;  // fewer are fast anyway, and keep the digits that they have
   settling.is_dilute =
       (spheres >= many || are_alone) && free_path_in(box, spheres) > 2 * settling.reach;
@@ -79,29 +81,33 @@ Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, bool 
 
 }  // namespace
 
-double fitting_cell_width(double volume, std::int64_t spheres, int dimension) {
+double fitting_cell_width(double volume, std::int64_t spheres, int dimension,
+                          double largest_diameter) {
   constexpr double spheres_a_cell = 3.5;
   constexpr double cells_a_sphere = 2;  // at most, however dilute
   constexpr double least = 1.1;
   const double share = volume / static_cast<double>(spheres);
   const double width = std::pow(spheres_a_cell * share, 1.0 / dimension);
   const double sparse = std::pow(share / cells_a_sphere, 1.0 / dimension);
-  return std::max({std::min(width, most_width(dimension)), sparse, least});
+  const double most = most_width(dimension) * largest_diameter;
+  return std::max({std::min(width, most), sparse, least * largest_diameter});
 }
 
 template <int Dim, class Real>
-Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
-  return settling_of(box, spheres, fly_far_alone(free_path_in(box, spheres), Dim));
+Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes) {
+  const bool are_alone = sizes.largest == 1 && fly_far_alone(free_path_in(box, spheres), Dim);
+  return settling_of(box, spheres, sizes, are_alone);
 }
 
 template <int Dim, class Real>
-Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
-  return settling_of(box, spheres, false);
+Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
+                           const Sizes& sizes) {
+  return settling_of(box, spheres, sizes, false);
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                  \
-  template Settling settling_in(const ShearBox<Dim, Real>&, std::int32_t); \
-  template Settling settling_in_crowd(const ShearBox<Dim, Real>&, std::int32_t);
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                \
+  template Settling settling_in(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&); \
+  template Settling settling_in_crowd(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "model/grains.hpp"
 #include "model/shear_box.hpp"
 
 namespace zenosphere {
@@ -18,21 +19,39 @@ struct Settling {
   bool is_dilute;  ///< many spheres, most of which fly through their balls and meet nobody there
 };
 
+/// How large spheres are, as far as cells and lists have to know.
+struct Sizes {
+  double largest = 1;  ///< diameter
+  double mean = 1;
+};
+
+template <class Real>
+Sizes sizes_of(const Grains<Real>& grains) {
+  if (grains.diameters.empty()) return {};
+  double sum = 0;
+  for (const Real& diameter : grains.diameters) sum += static_cast<double>(diameter);
+  return {static_cast<double>(grains.largest_diameter()),
+          sum / static_cast<double>(grains.diameters.size())};
+}
+
 /// Spheres on one list, where balls are as wide as cells: with more of them they are a crowd.
 inline constexpr std::int32_t most_alone = 400;
 
 /// What suits so many spheres in a box that is cut into cells. Two spheres that may touch have
-/// anchors within 1 + 2 reach, which no cell may be narrower than.
+/// anchors within the largest diameter + 2 reach, which no cell may be narrower than.
 template <int Dim, class Real>
-Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres);
+Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes = {});
 
 /// The same where they crowd together somewhere, however much room there is elsewhere.
 template <int Dim, class Real>
-Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres);
+Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
+                           const Sizes& sizes = {});
 
 /// The width that cells should have, in diameters: so that some fifteen neighbours are in reach.
 ///
-/// Wider cells mean longer lists that last longer.
-double fitting_cell_width(double volume, std::int64_t spheres, int dimension);
+/// Wider cells mean longer lists that last longer. Where spheres differ in size, the largest have
+/// to find room in a cell.
+double fitting_cell_width(double volume, std::int64_t spheres, int dimension,
+                          double largest_diameter = 1);
 
 }  // namespace zenosphere

@@ -30,9 +30,10 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<
       calendar_(spheres_.count()),
       meetings_(static_cast<std::size_t>(spheres_.count())),
       span_(box.clock_unit()),
-      rewind_bound_(box, surroundings.acceleration) {
+      rewind_bound_(box, surroundings.acceleration, spheres_.largest_diameter()) {
   assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
-  apply_models();
+  assert(!rules.table || grains().kind_count() <= rules.table->kinds());
+  make_law();
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
 }
 
@@ -117,7 +118,7 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   } else {
     meet(collision, neighbour);
   }
-  rewind_bound_.note_change(collision.change, when);
+  note_change(collision);
   // A processor begins to look for the second one while it still waits for roots of the first.
   const bool is_pair = !wall(collision.j);
   look_ahead(collision.i);
@@ -134,29 +135,61 @@ void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision, Neighbour neig
   auto& b = spheres_[collision.j];
   spheres_.advance(a, now_.remainder);
   spheres_.advance(b, now_.remainder);
+  ++a.collisions;
+  ++b.collisions;
   const auto motion = spheres_.motion_as_stored(collision.i, neighbour, now_.remainder);
+  if (law_) return meet_by_law(collision, motion);
   collision.impact = impact(motion, rules_.restitution);
-  Vector change = collision.impact.normal * -collision.impact.impulse;
+  const Vector change = collision.impact.normal * -collision.impact.impulse;
   collision.change = change;
-  if (contact_physics_) {
-    contact_physics_->amend(collision, motion.dv);
-    change = collision.change;
-  }
   const Vector velocity_a = a.velocity;
   const Vector velocity_b = b.velocity;
   a.velocity += change;
   b.velocity -= change;
   collision.absorbed = a.velocity == velocity_a && b.velocity == velocity_b;
-  ++a.collisions;
-  ++b.collisions;
+}
+
+/// The same where sizes, masses, friction or a contact model matter.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::meet_by_law(Collision<Dim, Real>& collision,
+                                        const RelativeMotion<Dim, Real>& motion) {
+  law_->collide(collision, motion, {grains(), spins()});
+  auto& a = spheres_[collision.i];
+  auto& b = spheres_[collision.j];
+  const Vector velocity_a = a.velocity;
+  const Vector velocity_b = b.velocity;
+  a.velocity += collision.change * grains().inverse_mass(collision.i);
+  b.velocity -= collision.change * grains().inverse_mass(collision.j);
+  const bool turns_i = turn(collision, collision.i);
+  const bool turns_j = turn(collision, collision.j);
+  collision.absorbed = a.velocity == velocity_a && b.velocity == velocity_b && !turns_i && !turns_j;
+}
+
+/// Gives a sphere the spin that it has after a collision. Returns whether it has changed.
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::turn(const Collision<Dim, Real>& collision, std::int32_t sphere) {
+  if (spins().empty()) return false;
+  auto& spin = spheres_.spins()[static_cast<std::size_t>(sphere)];
+  const auto before = spin;
+  spin += change_of_spin(collision, sphere);
+  return !(spin == before);
+}
+
+/// Tells what bounds the steps back of the clock how velocities have changed.
+template <int Dim, class Real>
+void Simulation<Dim, Real>::note_change(const Collision<Dim, Real>& collision) {
+  if (!law_) return rewind_bound_.note_change(collision.change, now_.remainder);
+  for (const std::int32_t sphere : {collision.i, collision.j}) {
+    if (wall(sphere)) continue;
+    rewind_bound_.note_change(collision.change * grains().inverse_mass(sphere), now_.remainder);
+  }
 }
 
 /// The collision of a sphere with a wall. Its place is known exactly then, half a diameter from
 /// the wall, and so is its speed after a fall: neither is left to rounding.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::bounce(Collision<Dim, Real>& collision, int wall) {
-  Walls<Real> walls = *surroundings_.walls;
-  if (contact_physics_) contact_physics_->amend(collision, walls);
+  const Walls<Real>& walls = *surroundings_.walls;
   auto& sphere = spheres_[collision.i];
   const Real outward = wall == 0 ? -1 : 1;
   const Real acceleration = -outward * surroundings_.acceleration[walls.axis];
@@ -164,16 +197,25 @@ void Simulation<Dim, Real>::bounce(Collision<Dim, Real>& collision, int wall) {
   const Real speed = closing_speed<Real>(wall_gap(collision.i, wall, sphere.time),
                                          -outward * velocity, acceleration);
   spheres_.advance(sphere, now_.remainder);
-  sphere.position[walls.axis] = wall == 0 ? Real(0.5) : Real(box().sides()[walls.axis] - Real(0.5));
+  const Real radius = this->radius(collision.i);
+  sphere.position[walls.axis] = wall == 0 ? radius : Real(box().sides()[walls.axis] - radius);
   if (acceleration != 0) velocity = outward * speed;
-  const auto [impact, change] = wall_impact(
-      walls, wall, frame_.moves() ? sphere.velocity + frame_.velocity(now_) : sphere.velocity);
+  const Vector velocity_in_box =
+      frame_.moves() ? sphere.velocity + frame_.velocity(now_) : sphere.velocity;
+  const Vector before = sphere.velocity;
+  ++sphere.collisions;
+  if (law_) {
+    law_->bounce(collision, walls, wall, velocity_in_box, {grains(), spins()});
+    sphere.velocity += collision.change * grains().inverse_mass(collision.i);
+    const bool turns = turn(collision, collision.i);
+    collision.absorbed = sphere.velocity == before && !turns;
+    return;
+  }
+  const auto [impact, change] = wall_impact(walls, wall, velocity_in_box);
   collision.impact = impact;
   collision.change = change;
-  const Vector before = sphere.velocity;
   sphere.velocity += collision.change;
   collision.absorbed = sphere.velocity == before;
-  ++sphere.collisions;
 }
 
 /// Surface distance to a wall, diameters.
@@ -181,7 +223,8 @@ template <int Dim, class Real>
 Real Simulation<Dim, Real>::wall_gap(std::int32_t i, int wall, const Real& when) const {
   const int axis = surroundings_.walls->axis;
   const Real place = spheres_.position_at(spheres_[i], when)[axis];
-  return wall == 0 ? place - Real(0.5) : (box().sides()[axis] - Real(0.5)) - place;
+  const Real radius = this->radius(i);
+  return wall == 0 ? place - radius : (box().sides()[axis] - radius) - place;
 }
 
 /// How sphere i sees the sphere j that it meets at `when`; of no meaning where j is a wall.
@@ -207,7 +250,7 @@ Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j,
                             -outward * spheres_.velocity_at(spheres_[i], when)[axis],
                             -outward * surroundings_.acceleration[axis]);
   }
-  return gap(spheres_.motion(i, neighbour, when).dr);
+  return gap(spheres_.motion(i, neighbour, when).dr, spheres_.sigma(i, j));
 }
 
 /// Settles a sphere again; one that is late by rounding at once.

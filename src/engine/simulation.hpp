@@ -9,7 +9,8 @@
 
 #include "engine/calendar.hpp"
 #include "engine/configuration.hpp"
-#include "engine/contact_physics.hpp"
+#include "engine/contact_law.hpp"
+#include "engine/contact_rules.hpp"
 #include "engine/contacts_ahead.hpp"
 #include "engine/fetching.hpp"
 #include "engine/huge_page_vector.hpp"
@@ -19,21 +20,10 @@
 #include "engine/rewind_bound.hpp"
 #include "engine/spheres.hpp"
 #include "model/collision.hpp"
-#include "model/contact_models.hpp"
-#include "model/overlap_rule.hpp"
 #include "model/shear_box.hpp"
 #include "model/walls.hpp"
 
 namespace zenosphere {
-
-/// The rules of contact: how two spheres collide, and what is done where rounding interferes.
-template <class Real>
-struct ContactRules {
-  Real restitution = 1;
-  OverlapRule overlap = OverlapRule::rewind;
-  Real guard = Real(1e-15);  ///< diameters^2/time; read by OverlapRule::guarded only
-  ContactModels<Real> models{};
-};
 
 /// What acts on the spheres besides each other.
 template <int Dim, class Real>
@@ -42,7 +32,7 @@ struct Surroundings {
   std::optional<Walls<Real>> walls{};  ///< their axis is the closed one of the box
 };
 
-/// Event-driven dynamics of smooth inelastic hard spheres.
+/// Event-driven dynamics of inelastic hard spheres.
 ///
 /// Every sphere has one pending event: its first meeting, with a sphere or a wall, or the moment at
 /// which it has to be settled again (see Spheres). A pair is looked after by the sphere that was
@@ -58,8 +48,11 @@ class Simulation {
 
   /// \param box           the box without its offset
   /// \param start         equally many positions and velocities, at least one; its boxes count for
-  ///                      nothing, its offset must be 0 where the box is closed along x or y
-  /// \param surroundings  with walls exactly where the box is closed
+  ///                      nothing, its offset must be 0 where the box is closed along x or y. Rough
+  ///                      spheres that it gives no spins do not turn yet
+  /// \param surroundings  with walls exactly where the box is closed; no gravity where spheres are
+  ///                      immobile: paths between them and those that fall would not be straight
+  /// Throws std::invalid_argument where cells are not wide enough for the largest sphere.
   Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
              const ContactRules<Real>& rules, const Surroundings<Dim, Real>& surroundings = {});
 
@@ -95,7 +88,7 @@ class Simulation {
 
   /// Adds to the velocity of every sphere, now.
   ///
-  /// \param changes  one for each sphere, diameters/time
+  /// \param changes  one for each sphere, diameters/time; immobile ones get none
   void kick(const std::vector<Vector>& changes);
 
   /// Has what an observer keeps of each sphere, in a row from `first` on, fetched ahead of the
@@ -143,6 +136,19 @@ class Simulation {
   double time_since_collision() const;
 
   std::int32_t spheres() const { return spheres_.count(); }
+  const Grains<Real>& grains() const { return spheres_.grains(); }
+  /// Angular velocities now, radians/time: of each sphere, or of none where nobody turns.
+  const std::vector<Spin<Dim, Real>>& spins() const { return spheres_.spins(); }
+  /// Of a sphere about its centre, mass diameter^2.
+  Real moment_of_inertia(std::int32_t sphere) const {
+    const Real radius = grains().radius(sphere);
+    return rules_.inertia.value_or(Real(solid_inertia<Dim>)) * grains().mass(sphere) * radius *
+           radius;
+  }
+  /// What the collision just done has changed of the spin of i or j.
+  Spin<Dim, Real> change_of_spin(const Collision<Dim, Real>& collision, std::int32_t sphere) const {
+    return law_->change_of_spin(collision, sphere, grains());
+  }
   const ShearBox<Dim, Real>& box() const { return spheres_.box(); }
   const ContactRules<Real>& rules() const { return rules_; }
   const Surroundings<Dim, Real>& surroundings() const { return surroundings_; }
@@ -168,9 +174,9 @@ class Simulation {
   std::int64_t settlings() const { return settlings_; }
   std::int64_t stale_events() const { return stale_events_; }
 
-  /// What the contact models have done, where there are any.
+  /// What has been counted where collisions need more than a constant restitution.
   std::optional<ContactCounts> contact_counts() const {
-    return contact_physics_ ? std::optional(contact_physics_->counts()) : std::nullopt;
+    return law_ ? std::optional(law_->counts()) : std::nullopt;
   }
 
   /// Velocity relative to the imposed profile at the sphere's place now, diameters/time.
@@ -217,6 +223,12 @@ class Simulation {
 
   Collision<Dim, Real> next_with(std::int32_t i);
   void meet(Collision<Dim, Real>& collision, Neighbour neighbour);
+  void meet_by_law(Collision<Dim, Real>& collision, const RelativeMotion<Dim, Real>& motion);
+  bool turn(const Collision<Dim, Real>& collision, std::int32_t sphere);
+  void note_change(const Collision<Dim, Real>& collision);
+  Real radius(std::int32_t i) const {
+    return spheres_.are_of_one_size() ? Real(0.5) : grains().radius(i);
+  }
   void bounce(Collision<Dim, Real>& collision, int wall);
   Real wall_gap(std::int32_t i, int wall, const Real& when) const;
   Neighbour neighbour(std::int32_t i, std::int32_t j, const Real& when) const;
@@ -259,9 +271,11 @@ class Simulation {
             self.rewind_bound_, self.stride_, self.idle_events_, self.frame_);
   }
 
-  void apply_models() {
-    if (!rules_.models.is_any()) return;
-    contact_physics_.emplace(rules_.models, rules_.restitution, spheres(), box().clock_unit());
+  void make_law() {
+    if (!ContactLaw<Dim, Real>::is_needed(rules_, grains())) return;
+    law_.emplace(rules_, spheres(), box().clock_unit());
+    const bool may_turn = Dim > 1 && rules_.are_rough() && spins().empty();
+    if (may_turn) spheres_.spins().resize(static_cast<std::size_t>(spheres()));
   }
 
   NextMeetings<Real>& meetings(std::int32_t i) { return meetings_[static_cast<std::size_t>(i)]; }
@@ -273,7 +287,7 @@ class Simulation {
   Spheres<Dim, Real> spheres_;
   ContactRules<Real> rules_;
   Surroundings<Dim, Real> surroundings_;
-  std::optional<ContactPhysics<Dim, Real>> contact_physics_;  ///< only with contact models
+  std::optional<ContactLaw<Dim, Real>> law_;  ///< where impact() does not tell all
   Calendar<Real> calendar_;
   HugePageVector<NextMeetings<Real>> meetings_;
   double stride_ = 1;  ///< in which the clock counts, units

@@ -41,8 +41,9 @@ ShearedFlight<Dim> flight_between(const Configuration<Dim, Real>& state, std::si
 /// of its ball: so settle() knows that all have to come home.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::leap() {
-  constexpr int balls_each = 16;                // that are crossed, at least
-  if (spheres_.has_displaced_images()) return;  // time_apart() knows upright grids only
+  constexpr int balls_each = 16;  // that are crossed, at least
+  // time_apart() knows upright grids and unit spheres only.
+  if (spheres_.has_displaced_images() || !spheres_.are_of_one_size()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Meeting<Real>& first = meetings(i).first();
     if (first.is_with_anybody() && is_stale(first)) predict(i);
@@ -118,7 +119,7 @@ bool Simulation<Dim, Real>::waits_in_vain() const {
   if constexpr (Dim == 1) {
     return false;
   } else {
-    if (!box().is_sheared() || at_rest_) return false;
+    if (!box().is_sheared() || at_rest_ || !spheres_.are_of_one_size()) return false;
     constexpr double margin = 1.25;  // events come about as often as before
     const auto waited = static_cast<double>(elapsed(last_change_, now_, box().clock_unit()));
     const double until = margin * waited * static_cast<double>(most_idle_events(spheres())) /

@@ -27,6 +27,7 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Vector& change = changes[static_cast<std::size_t>(i)];
     spheres_.advance(spheres_[i], now_.remainder);
+    if (grains().is_immobile(i)) continue;
     spheres_[i].velocity += change;
     rewind_bound_.note_change(change, now_.remainder);
   }
@@ -141,7 +142,8 @@ bool Simulation<Dim, Real>::may_meet(std::int32_t i, std::int32_t j) const {
     if (velocity[axis] != 0 || (axis == 0 && is_displaced)) across[axis] = 0;
   }
   const Real margin = approach_margin;
-  return dot(across, across) < 1 + margin;
+  const Real sigma = spheres_.sigma(i, j);
+  return dot(across, across) < sigma * sigma + margin;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                        \

@@ -25,7 +25,7 @@ void Simulation<Dim, Real>::look_ahead(std::int32_t i) {
   } else {
     meetings(i) = one_by_one(i, neighbours);
   }
-  if (surroundings_.walls) meetings(i).add(with_walls(i));
+  if (surroundings_.walls && !grains().is_immobile(i)) meetings(i).add(with_walls(i));
 }
 
 /// Adds the meetings with new neighbours to those that are known.

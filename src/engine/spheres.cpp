@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "engine/wide_lanes.hpp"
 #include "model/instantiate.hpp"
@@ -14,8 +15,11 @@ namespace zenosphere {
 template <int Dim, class Real>
 Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                             const Vector& acceleration)
-    : Spheres(HugePageVector<Sphere>(start.positions.size()), box, acceleration) {
+    : Spheres(HugePageVector<Sphere>(start.positions.size()), std::move(start.grains), box,
+              acceleration) {
   assert(start.positions.size() == start.velocities.size());
+  assert(start.spins.empty() || start.spins.size() == start.positions.size());
+  spins_ = std::move(start.spins);
   displace_images(start.offset);
   place(start);
   start = {};  // whose memory the lists can use
@@ -32,14 +36,17 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
 
 /// Spheres that are in no cell and on no list yet.
 template <int Dim, class Real>
-Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, const ShearBox<Dim, Real>& box,
-                            const Vector& acceleration)
+Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains,
+                            const ShearBox<Dim, Real>& box, const Vector& acceleration)
     : box_(box),
       cells_(box.cells()),
       acceleration_(acceleration),
       falls_(!(acceleration == Vector{})),
       lanes_are_wide_(!falls_ && has_wide_lanes()),
-      settling_(settling_in(box, static_cast<std::int32_t>(spheres.size()))),
+      grains_(std::move(grains)),
+      largest_(grains_.largest_diameter()),
+      is_mixture_(!grains_.diameters.empty() || !grains_.immobile.empty()),
+      settling_(settling_in(box, static_cast<std::int32_t>(spheres.size()), sizes_of(grains_))),
       spheres_(std::move(spheres)),
       boxes_(spheres_.size()),
       lists_(count(), settling_.neighbours),
@@ -48,7 +55,20 @@ Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, const ShearBox<Dim, 
     cell_grains_[static_cast<std::size_t>(axis)] =
         static_cast<int>(static_cast<double>(box_.cell_width()[axis]) / settling_.grain + 0.5);
   }
+  for (const Real& diameter : grains_.diameters) radii_.push_back(diameter / 2);
+  require_room();
   find_images();
+}
+
+/// Throws std::invalid_argument where a sphere could touch another one beyond the next cell.
+template <int Dim, class Real>
+void Spheres<Dim, Real>::require_room() const {
+  if (are_of_one_size()) return;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const bool is_alone = box_.is_closed(axis) && box_.cells()[static_cast<std::size_t>(axis)] == 2;
+    const Real least = (is_alone ? Real(1) : Real(narrowest_cell)) * largest_;
+    if (!(box_.cell_width()[axis] >= least)) throw std::invalid_argument("box too narrow");
+  }
 }
 
 /// Where the images of the box along y are at the start.
@@ -87,7 +107,9 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
     sphere.velocity[0] += profile_in_layer(sphere, 0);
   }
   // Before there are lists: those of all that are in such a cell would be too long.
-  if (settling_.is_wide && is_crowd_in_a_cell()) settling_ = settling_in_crowd(box_, count());
+  if (settling_.is_wide && is_crowd_in_a_cell()) {
+    settling_ = settling_in_crowd(box_, count(), sizes_of(grains_));
+  }
   for (std::int32_t i = 0; i < count(); ++i) {
     drop_anchor(i, 0, {});
     anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
@@ -245,6 +267,8 @@ Configuration<Dim, Real> Spheres<Dim, Real>::configuration(double units, const R
   state.positions.reserve(spheres_.size());
   state.velocities.reserve(spheres_.size());
   state.boxes.assign(boxes_.begin(), boxes_.end());
+  state.grains = grains_;
+  state.spins = spins_;
   const Real unreduced = Dim > 1 ? turned_offset(when) : Real(0);
   const auto offsets =
       std::round(static_cast<double>(Real(unreduced - state.offset) / box_.sides()[0]));

@@ -48,6 +48,8 @@ class Spheres {
   /// Settles all spheres at remainder 0. The offset of the start stays with the images of the box;
   /// the layers slide from 0 on, so that places are kept as they are given.
   ///
+  /// Throws std::invalid_argument where cells are not wide enough for the largest sphere.
+  ///
   /// \param acceleration  of every sphere, diameters/time^2
   Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
           const Vector& acceleration);
@@ -61,6 +63,19 @@ class Spheres {
   const Sphere& operator[](std::int32_t i) const { return spheres_[static_cast<std::size_t>(i)]; }
   const ShearBox<Dim, Real>& box() const { return box_; }
   const Vector& acceleration() const { return acceleration_; }
+
+  /// What they are, and how fast they turn: of each, or of none where nobody turns.
+  const Grains<Real>& grains() const { return grains_; }
+  std::vector<Spin<Dim, Real>>& spins() { return spins_; }
+  const std::vector<Spin<Dim, Real>>& spins() const { return spins_; }
+
+  /// Whether all have unit diameter.
+  bool are_of_one_size() const { return radii_.empty(); }
+  /// Distance of the centres of two spheres in contact: their mean diameter.
+  Real sigma(std::int32_t i, std::int32_t j) const {
+    return are_of_one_size() ? Real(1) : Real(radius(i) + radius(j));
+  }
+  const Real& largest_diameter() const { return largest_; }
 
   /// Inlined also where GCC has no room left for it: every prediction calls it.
   [[gnu::always_inline]] Vector position_at(const Sphere& sphere, const Real& when) const {
@@ -108,8 +123,13 @@ class Spheres {
                                                     std::span<const Neighbour> neighbours,
                                                     const Real& when) const {
     if constexpr (std::is_same_v<Real, double>) {
-      if (lanes_are_wide_)
-        return first_contacts_wide(spheres_.data(), neighbours, images_.data(), viewpoint(i, when));
+      if (lanes_are_wide_) {
+        const Viewpoint<Dim, double> here = viewpoint(i, when);
+        if (are_of_one_size()) [[likely]]
+          return first_contacts_wide(spheres_.data(), neighbours, images_.data(), here);
+        return first_contacts_wide(spheres_.data(), neighbours, images_.data(), here, radii_.data(),
+                                   i);
+      }
     }
     return std::nullopt;
   }
@@ -117,6 +137,7 @@ class Spheres {
   /// Adds the contacts of i with these neighbours, counted from `when`.
   void find_contacts(std::int32_t i, std::span<const Neighbour> neighbours, const Real& when,
                      ContactsAhead<Real>& ahead) const {
+    if (is_mixture_) return find_contacts_of(i, neighbours, when, ahead);
     const Viewpoint<Dim, Real> here = viewpoint(i, when);
     const FloatingPointFilter<Dim> roughly(here);
     for (const Neighbour neighbour : neighbours) {
@@ -198,8 +219,18 @@ class Spheres {
     double above;
   };
 
-  Spheres(HugePageVector<Sphere> spheres, const ShearBox<Dim, Real>& box,
+  Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains, const ShearBox<Dim, Real>& box,
           const Vector& acceleration);
+  /// Spheres and what they are, as an archive has them.
+  using Archived = std::pair<HugePageVector<Sphere>, Grains<Real>>;
+  Spheres(Archived archived, const ShearBox<Dim, Real>& box, const Vector& acceleration,
+          ArchiveReader& archive);
+  void find_contacts_of(std::int32_t i, std::span<const Neighbour> neighbours, const Real& when,
+                        ContactsAhead<Real>& ahead) const;
+  std::span<Neighbour> keep_within_reach(std::int32_t i, std::span<Neighbour> neighbours,
+                                         const Real& when) const;
+  const Real& radius(std::int32_t i) const { return radii_[static_cast<std::size_t>(i)]; }
+  void require_room() const;
   void displace_images(const Real& offset);
   void place(const Configuration<Dim, Real>& start);
   Vector way_to_anchor(const Vector& velocity, const Real& flight) const;
@@ -220,6 +251,7 @@ class Spheres {
   Real square(std::int32_t i, Neighbour neighbour, const Real& when) const;
   void require_possible(const Sphere& sphere) const;
   void read_images(ArchiveReader& archive);
+  void read_spins(ArchiveReader& archive);
   Viewpoint<Dim, Real> viewpoint(std::int32_t i, const Real& when) const {
     return {position_at((*this)[i], when), velocity_at((*this)[i], when), when};
   }
@@ -264,6 +296,11 @@ class Spheres {
   Vector acceleration_;
   bool falls_;           ///< the acceleration is not zero
   bool lanes_are_wide_;  ///< contacts are found four at a time
+  Grains<Real> grains_;
+  std::vector<Spin<Dim, Real>> spins_;
+  Real largest_;             ///< diameter
+  std::vector<Real> radii_;  ///< empty where all have unit diameter
+  bool is_mixture_;          ///< sizes differ, or some are immobile: each pair is looked at
   Settling settling_;
   bool is_crowded_ = false;             ///< and the balls are still wide
   std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded

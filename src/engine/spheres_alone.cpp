@@ -62,7 +62,7 @@ bool Spheres<Dim, Real>::share_layer(std::int32_t i, std::int32_t j) const {
 
 template <int Dim, class Real>
 void Spheres<Dim, Real>::settle_in_crowd(const Real& when) {
-  settling_ = settling_in_crowd(box_, count());
+  settling_ = settling_in_crowd(box_, count(), sizes_of(grains_));
   is_crowded_ = false;
   for (std::int32_t i = 0; i < count(); ++i) settle(i, when, when);
 }

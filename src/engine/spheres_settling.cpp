@@ -234,7 +234,8 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
   nearby_.resize(most_cells_around * anchor_cells_.room() + AnchorCells::slack);
   const Neighbour* const end =
       anchor_cells_.find(std::span(rows).first(count), range, nearby_.data());
-  return {nearby_.data(), static_cast<std::size_t>(end - nearby_.data())};
+  const std::span near(nearby_.data(), static_cast<std::size_t>(end - nearby_.data()));
+  return is_mixture_ ? keep_within_reach(i, near, when) : near;
 }
 
 template <int Dim, class Real>

@@ -95,21 +95,26 @@ ZENOSPHERE_WIDE inline Approaches approaches(const Sphere<Dim, double>* spheres,
   return {dot(dr, dv), dot(dv, dv), dot(dr, dr)};
 }
 
+/// Radii of four neighbours.
+ZENOSPHERE_WIDE inline __m256d radii_of(const double* radii, const Neighbour* neighbours) {
+  const auto radius = [&](std::size_t lane) { return radii[neighbours[lane].sphere()]; };
+  return _mm256_set_pd(radius(3), radius(2), radius(1), radius(0));
+}
+
 /// What may_touch() says of four: all bits of a lane, or none.
-ZENOSPHERE_WIDE inline __m256d may_touch(const Approaches& four) {
+ZENOSPHERE_WIDE inline __m256d may_touch(const Approaches& four, __m256d sigma) {
   const auto& [b, v2, r2] = four;
-  const __m256d limit = _mm256_set1_pd(1 + approach_margin);
+  const __m256d limit = _mm256_add_pd(_mm256_mul_pd(sigma, sigma), _mm256_set1_pd(approach_margin));
   return _mm256_and_pd(
       _mm256_cmp_pd(b, _mm256_setzero_pd(), _CMP_LT_OQ),
       _mm256_cmp_pd(_mm256_mul_pd(b, b), _mm256_mul_pd(v2, _mm256_sub_pd(r2, limit)), _CMP_GE_OQ));
 }
 
 /// When contact() lets four touch, of which it is known that they may; infinity: they miss.
-ZENOSPHERE_WIDE inline __m256d contact_times(const Approaches& four) {
+ZENOSPHERE_WIDE inline __m256d contact_times(const Approaches& four, __m256d sigma) {
   const auto& [b, v2, r2] = four;
-  const __m256d one = _mm256_set1_pd(1);
   const __m256d distance = _mm256_sqrt_pd(r2);
-  const __m256d c = _mm256_mul_pd(_mm256_sub_pd(distance, one), _mm256_add_pd(distance, one));
+  const __m256d c = _mm256_mul_pd(_mm256_sub_pd(distance, sigma), _mm256_add_pd(distance, sigma));
   const __m256d discriminant = _mm256_sub_pd(_mm256_mul_pd(b, b), _mm256_mul_pd(v2, c));
   const __m256d time = _mm256_div_pd(
       c, _mm256_add_pd(_mm256_xor_pd(b, _mm256_set1_pd(-0.0)), _mm256_sqrt_pd(discriminant)));
@@ -145,6 +150,34 @@ class NumberedApproaches {
   alignas(32) double b_[64];
   alignas(32) double v2_[64];
   alignas(32) double r2_[64];
+};
+
+/// Mean diameters of unit spheres, which cost nothing.
+struct UnitSigmas {
+  ZENOSPHERE_WIDE __m256d put(std::size_t, const Neighbour*) { return _mm256_set1_pd(1); }
+  ZENOSPHERE_WIDE __m256d of(const std::array<std::size_t, 4>&) const { return _mm256_set1_pd(1); }
+};
+
+/// Mean diameters of one sphere and each of up to NumberedApproaches::most neighbours.
+class NumberedSigmas {
+ public:
+  NumberedSigmas(const double* radii, std::int32_t own) : radii_(radii), own_(radii[own]) {
+    sigma_[NumberedApproaches::nobody] = 1;
+  }
+  ZENOSPHERE_WIDE __m256d put(std::size_t number, const Neighbour* neighbours) {
+    const __m256d sigma = _mm256_add_pd(_mm256_set1_pd(own_), radii_of(radii_, neighbours));
+    _mm256_store_pd(sigma_ + number, sigma);
+    return sigma;
+  }
+  ZENOSPHERE_WIDE __m256d of(const std::array<std::size_t, 4>& numbers) const {
+    const auto [i, j, k, l] = numbers;
+    return _mm256_set_pd(sigma_[l], sigma_[k], sigma_[j], sigma_[i]);
+  }
+
+ private:
+  const double* radii_;
+  double own_;
+  alignas(32) double sigma_[64];
 };
 
 /// The first two in each lane, and the numbers they go by.
@@ -210,10 +243,10 @@ ZENOSPHERE_WIDE inline std::optional<FirstContacts<double>> first_of_all(
   return two;
 }
 
-template <int Dim>
+template <int Dim, class Sigmas>
 ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
     const Sphere<Dim, double>* spheres, std::span<const Neighbour> neighbours,
-    const Image<Dim, double>* images, const Viewpoint<Dim, double>& from) {
+    const Image<Dim, double>* images, const Viewpoint<Dim, double>& from, Sigmas& sigmas) {
   const std::size_t size = neighbours.size();
   if (size > NumberedApproaches::most) return std::nullopt;
   NumberedApproaches approaches;
@@ -221,7 +254,8 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
   for (std::size_t k = 0; k < size; k += 4) {
     const Approaches four = zenosphere::approaches(spheres, neighbours.data() + k, images, from);
     approaches.put(k, four);
-    candidates |= static_cast<std::uint64_t>(bits(may_touch(four))) << k;
+    const __m256d sigma = sigmas.put(k, neighbours.data() + k);
+    candidates |= static_cast<std::uint64_t>(bits(may_touch(four, sigma))) << k;
   }
   candidates &= (std::uint64_t{1} << size) - 1;
   approaches.put_nobody();
@@ -236,7 +270,7 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
       number = static_cast<std::size_t>(std::countr_zero(candidates | nobody));
       candidates &= candidates - 1;
     }
-    const __m256d time = contact_times(approaches.of(numbers));
+    const __m256d time = contact_times(approaches.of(numbers), sigmas.of(numbers));
     overlaps = _mm256_or_pd(overlaps, _mm256_cmp_pd(time, _mm256_setzero_pd(), _CMP_NGT_UQ));
     const __m256d then = _mm256_add_pd(when, time);
     meetings += std::popcount(bits(_mm256_cmp_pd(then, _mm256_set1_pd(never), _CMP_LT_OQ)));
@@ -258,6 +292,10 @@ namespace {
 
 /// Not called: there are no wide lanes.
 std::optional<FirstContacts<double>> first_contacts(const auto&...) { return std::nullopt; }
+struct UnitSigmas {};
+struct NumberedSigmas {
+  NumberedSigmas(const double*, std::int32_t) {}
+};
 
 }  // namespace
 
@@ -268,13 +306,27 @@ std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, doubl
                                                          std::span<const Neighbour> neighbours,
                                                          const Image<Dim, double>* images,
                                                          const Viewpoint<Dim, double>& viewpoint) {
-  return first_contacts(spheres, neighbours, images, viewpoint);
+  UnitSigmas sigmas;
+  return first_contacts(spheres, neighbours, images, viewpoint, sigmas);
+}
+
+template <int Dim>
+std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, double>* spheres,
+                                                         std::span<const Neighbour> neighbours,
+                                                         const Image<Dim, double>* images,
+                                                         const Viewpoint<Dim, double>& viewpoint,
+                                                         const double* radii, std::int32_t own) {
+  NumberedSigmas sigmas(radii, own);
+  return first_contacts(spheres, neighbours, images, viewpoint, sigmas);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim)                                                      \
   template std::optional<FirstContacts<double>> first_contacts_wide(                     \
       const Sphere<Dim, double>*, std::span<const Neighbour>, const Image<Dim, double>*, \
-      const Viewpoint<Dim, double>&);
+      const Viewpoint<Dim, double>&);                                                    \
+  template std::optional<FirstContacts<double>> first_contacts_wide(                     \
+      const Sphere<Dim, double>*, std::span<const Neighbour>, const Image<Dim, double>*, \
+      const Viewpoint<Dim, double>&, const double*, std::int32_t);
 ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

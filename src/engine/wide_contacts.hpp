@@ -22,4 +22,15 @@ std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, doubl
                                                          const Image<Dim, double>* images,
                                                          const Viewpoint<Dim, double>& viewpoint);
 
+/// The same of spheres that differ in size.
+///
+/// \param radii  of all spheres
+/// \param own    number of the sphere that looks
+template <int Dim>
+std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, double>* spheres,
+                                                         std::span<const Neighbour> neighbours,
+                                                         const Image<Dim, double>* images,
+                                                         const Viewpoint<Dim, double>& viewpoint,
+                                                         const double* radii, std::int32_t own);
+
 }  // namespace zenosphere

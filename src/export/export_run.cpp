@@ -8,6 +8,7 @@
 
 #include "case/case_box.hpp"
 #include "case/case_file.hpp"
+#include "case/case_grains.hpp"
 #include "export/extended_xyz_frame.hpp"
 #include "export/lammps_dump.hpp"
 #include "export/sphere_collisions.hpp"
@@ -75,7 +76,11 @@ fs::path folder_of_frames(const fs::path& collection) {
 class Exporter {
  public:
   explicit Exporter(const Export& request)
-      : request_(request), run_(request.run), values_(case_of(run_, request.run)) {
+      : request_(request),
+        run_(request.run),
+        values_(case_of(run_, request.run)),
+        grains_(grains_of(values_)) {
+    for (const Species& species : values_.species) species_.push_back(species.name);
     exported_.spheres = run_.info().spheres;
     exported_.complete = run_.info().complete;
   }
@@ -89,7 +94,7 @@ class Exporter {
         write_frames("", append_lammps_dump);
         break;
       case ExportFormat::csv_observables:
-        write_frames(observables_header(values_.system.dimension),
+        write_frames(observables_header(values_.system.dimension, is_rough(values_)),
                      [&](NewFile& file, const Frame& frame) {
                        file.write(observables_row(frame, values_.drive.shear_rate));
                      });
@@ -112,6 +117,8 @@ class Exporter {
 
   Frame frame(std::int64_t n) {
     Frame frame{.number = n, .dimension = values_.system.dimension, .snapshot = run_.snapshot(n)};
+    frame.grains = &grains_;
+    frame.species = species_;
     require_numbers(frame.snapshot, frame.dimension, request_.run);
     frame.cell = cell_of(frame.snapshot, frame.dimension, closed_axis(values_), request_.run);
     if (exported_.collisions_are_counted) frame.collisions = counts_->up_to(frame.snapshot.step);
@@ -196,6 +203,8 @@ class Exporter {
   const Export& request_;
   RecordedRun run_;
   Case values_;
+  Grains<double> grains_;
+  std::vector<std::string> species_;
   std::optional<SphereCollisions> counts_;  ///< where the format shows them
   Exported exported_;
 };

@@ -18,11 +18,13 @@ std::string header(const Frame& frame) {
   const auto flags = [&](std::size_t axis) { return cell.periodic[axis] ? "pp" : "ff"; };
   return fmt::format(
       "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS xy xz yz {} {} {}\n"
-      "{} {} {}\n{} {} 0\n{} {} 0\nITEM: ATOMS id type x y z vx vy vz radius{}{}\n",
+      "{} {} {}\n{} {} 0\n{} {} 0\nITEM: ATOMS id type x y z vx vy vz radius{}{}{}{}\n",
       frame.snapshot.step, frame.spheres(), flags(0), flags(1), flags(2),
       cell.origin[0] + std::min(0.0, cell.tilt), cell.upper(0) + std::max(0.0, cell.tilt),
       cell.tilt, cell.origin[1], cell.upper(1), cell.origin[2], cell.upper(2),
-      frame.has_images() ? " ix iy iz" : "", frame.collisions.empty() ? "" : " c_collisions");
+      frame.are_alike() ? "" : " mass", frame.has_images() ? " ix iy iz" : "",
+      frame.has_spins() ? " omegax omegay omegaz" : "",
+      frame.collisions.empty() ? "" : " c_collisions");
 }
 
 }  // namespace
@@ -33,12 +35,18 @@ void append_lammps_dump(NewFile& file, const Frame& frame) {
     const auto [x, y, z] = frame.position(i);
     const auto [vx, vy, vz] = frame.velocity(i);
     const double leaning_x = frame.cell.leaning_x(x, y);
-    line = fmt::format_to(line, FMT_COMPILE("{} 1 {} {} {} {} {} {} {}"), i + 1, leaning_x, y, z,
-                          vx, vy, vz, sphere_radius);
-    if (!frame.has_images()) return;
-    const auto [ix, iy, iz] = frame.image(i);
-    const double moved = std::round((x - leaning_x) / frame.cell.sides[0]);
-    fmt::format_to(line, FMT_COMPILE(" {} {} {}"), ix + static_cast<std::int64_t>(moved), iy, iz);
+    line = fmt::format_to(line, FMT_COMPILE("{} {} {} {} {} {} {} {} {}"), i + 1, frame.kind(i) + 1,
+                          leaning_x, y, z, vx, vy, vz, frame.radius(i));
+    if (!frame.are_alike()) line = fmt::format_to(line, FMT_COMPILE(" {}"), frame.mass(i));
+    if (frame.has_images()) {
+      const auto [ix, iy, iz] = frame.image(i);
+      const double moved = std::round((x - leaning_x) / frame.cell.sides[0]);
+      line = fmt::format_to(line, FMT_COMPILE(" {} {} {}"), ix + static_cast<std::int64_t>(moved),
+                            iy, iz);
+    }
+    if (!frame.has_spins()) return;
+    const auto [wx, wy, wz] = frame.spin(i);
+    fmt::format_to(line, FMT_COMPILE(" {} {} {}"), wx, wy, wz);
   });
 }
 

@@ -7,19 +7,34 @@
 #include <array>
 #include <cmath>
 
+#include "model/spin.hpp"
+
 namespace zenosphere {
 namespace {
 
-/// Sums over the spheres of a frame, of their velocities relative to the profile.
+/// Sums over the mobile spheres of a frame, of their velocities relative to the profile, by mass.
 struct Sums {
   std::array<double, 3> squares{};  ///< of each component
   double shear = 0;                 ///< x times y component
   double fastest = 0;               ///< largest square of a speed
+  double turning = 0;               ///< moment of inertia times square of the angular velocity
+  double mobile = 0;                ///< spheres that count
 };
+
+/// I w^2 of a solid sphere or disk.
+double turning_energy(const Frame& frame, std::int64_t i) {
+  const auto [x, y, z] = frame.spin(i);
+  const double inertia = frame.dimension == 3 ? solid_inertia<3> : solid_inertia<2>;
+  return inertia * frame.mass(i) * frame.radius(i) * frame.radius(i) * (x * x + y * y + z * z);
+}
 
 Sums sums_of(const Frame& frame, double shear_rate) {
   Sums sums;
   for (std::int64_t i = 0; i < frame.spheres(); ++i) {
+    if (frame.is_immobile(i)) continue;
+    const double mass = frame.mass(i);
+    ++sums.mobile;
+    if (frame.has_spins()) sums.turning += turning_energy(frame, i);
     std::array<double, 3> velocity = frame.velocity(i);
     if (frame.dimension > 1) {
       velocity[0] -= shear_rate * (frame.position(i)[1] - frame.cell.sides[1] / 2);
@@ -27,10 +42,10 @@ Sums sums_of(const Frame& frame, double shear_rate) {
     double square = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double part = velocity[axis] * velocity[axis];
-      sums.squares[axis] += part;
+      sums.squares[axis] += mass * part;
       square += part;
     }
-    sums.shear += velocity[0] * velocity[1];
+    sums.shear += mass * velocity[0] * velocity[1];
     sums.fastest = std::max(sums.fastest, square);
   }
   return sums;
@@ -38,7 +53,7 @@ Sums sums_of(const Frame& frame, double shear_rate) {
 
 }  // namespace
 
-std::string observables_header(int dimension) {
+std::string observables_header(int dimension, bool turns) {
   std::string text = "snapshot,collisions,collisions_per_sphere,time,strain";
   if (dimension > 1) text += ",offset";
   text += ",granular_temperature";
@@ -46,6 +61,7 @@ std::string observables_header(int dimension) {
     text += fmt::format(",temperature_{}", "xyz"[axis]);
   }
   if (dimension > 1) text += ",temperature_xy";
+  if (turns) text += ",rotational_temperature";
   return text + ",fastest\n";
 }
 
@@ -57,11 +73,14 @@ std::string observables_row(const Frame& frame, double shear_rate) {
                                  2 * static_cast<double>(frame.snapshot.step) / spheres,
                                  frame.snapshot.time, shear_rate * frame.snapshot.time);
   if (frame.dimension > 1) text += fmt::format(",{}", frame.cell.tilt);
-  text += fmt::format(",{}", all / (spheres * frame.dimension));
+  text += fmt::format(",{}", all / (sums.mobile * frame.dimension));
   for (int axis = 0; axis < frame.dimension; ++axis) {
-    text += fmt::format(",{}", sums.squares[static_cast<std::size_t>(axis)] / spheres);
+    text += fmt::format(",{}", sums.squares[static_cast<std::size_t>(axis)] / sums.mobile);
   }
-  if (frame.dimension > 1) text += fmt::format(",{}", sums.shear / spheres);
+  if (frame.dimension > 1) text += fmt::format(",{}", sums.shear / sums.mobile);
+  if (frame.has_spins()) {
+    text += fmt::format(",{}", sums.turning / (sums.mobile * (frame.dimension == 3 ? 3 : 1)));
+  }
   return text + fmt::format(",{}\n", std::sqrt(sums.fastest));
 }
 

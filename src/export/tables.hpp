@@ -12,7 +12,8 @@ namespace zenosphere {
 ///
 /// \param dimension  D: there are D temperatures and, from two dimensions on, the offset and a
 ///                   shear component
-std::string observables_header(int dimension);
+/// \param turns      whether spheres have angular velocities
+std::string observables_header(int dimension, bool turns);
 
 /// One line of it: what follows from the positions and velocities of a snapshot.
 ///

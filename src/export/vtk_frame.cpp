@@ -74,7 +74,17 @@ void write_point_data(NewFile& file, const Frame& frame) {
   write_array<double, 3>(file, "velocity", spheres, "",
                          [&](std::int64_t i) { return frame.velocity(i); });
   write_array<double, 1>(file, "radius", spheres, "",
-                         [](std::int64_t) { return std::array{sphere_radius}; });
+                         [&](std::int64_t i) { return std::array{frame.radius(i)}; });
+  if (!frame.are_alike()) {
+    write_array<double, 1>(file, "mass", spheres, "",
+                           [&](std::int64_t i) { return std::array{frame.mass(i)}; });
+    write_array<std::int64_t, 1>(file, "kind", spheres, "",
+                                 [&](std::int64_t i) { return std::array{frame.kind(i)}; });
+  }
+  if (frame.has_spins()) {
+    write_array<double, 3>(file, "angular_velocity", spheres, "",
+                           [&](std::int64_t i) { return frame.spin(i); });
+  }
   if (!frame.collisions.empty()) {
     write_array<std::int64_t, 1>(file, "collisions", spheres, "", [&](std::int64_t i) {
       return std::array{frame.collisions[static_cast<std::size_t>(i)]};

@@ -2,22 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
+
+namespace {
+
+/// Of the mobile spheres.
+template <class Real>
+Real total_mass(const Grains<Real>& grains, std::int32_t spheres) {
+  if (grains.are_alike()) return Real(spheres);
+  Real sum = 0;
+  for (std::int32_t i = 0; i < spheres; ++i) {
+    if (!grains.is_immobile(i)) sum += grains.mass(i);
+  }
+  return sum;
+}
+
+}  // namespace
 
 template <int Dim, class Real>
 Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation, double after_time)
     : shear_rate_(simulation.box().shear_rate()),
       acceleration_(simulation.surroundings().acceleration),
       falls_(!(acceleration_ == Vector{})),
+      are_unlike_(!simulation.grains().are_alike() || !simulation.spins().empty()),
+      mobile_of_kind_(static_cast<std::size_t>(simulation.grains().kind_count())),
       clock_unit_(simulation.box().clock_unit()),
       after_time_(after_time),
       after_{0, Real(after_time)},
       initial_energy_(kinetic_energy(simulation)),
       flight_start_(static_cast<std::size_t>(simulation.spheres()), simulation.now()) {
-  if (after_time <= 0) sums_before_ = Sums{};
+  const auto& grains = simulation.grains();
+  for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
+    mobile_of_kind_[static_cast<std::size_t>(grains.kind(i))] += !grains.is_immobile(i);
+  }
+  mobile_ = std::accumulate(mobile_of_kind_.begin(), mobile_of_kind_.end(), std::int64_t{0});
+  if (mobile_of_kind_.size() > 1) sums_.kinetic_of_kind.resize(mobile_of_kind_.size());
+  if (!simulation.spins().empty()) sums_.turning_of_kind.resize(mobile_of_kind_.size());
+  if (after_time <= 0) sums_before_ = sums_;
 }
 
 template <int Dim, class Real>
@@ -29,7 +54,9 @@ void Measurements<Dim, Real>::observe(const Collision<Dim, Real>& collision,
     add_wall_contact(collision, *wall, simulation);
   } else {
     end_flight(collision.j, collision, simulation);
-    add_contact(collision);
+    if (!are_unlike_) return add_contact(collision);
+    add_transfer(collision.impact, collision.change * Real(-1));
+    add_unlike_loss(collision, simulation);
   }
 }
 
@@ -40,7 +67,10 @@ void Measurements<Dim, Real>::end_flight(std::int32_t sphere, const Collision<Di
   auto& start = flight_start_[static_cast<std::size_t>(sphere)];
   const Real duration = elapsed(start, collision.time, clock_unit_);
   start = collision.time;
-  add_flight(sums_, velocity_before(sphere, collision, simulation), duration);
+  const Vector velocity = velocity_before(sphere, collision, simulation);
+  if (!are_unlike_) return add_flight(sums_, velocity, duration, duration);
+  add_unlike_flight(sums_, sphere, velocity, spin_before(sphere, &collision, simulation), duration,
+                    simulation);
 }
 
 /// Notes the sums at `after_time`, once it has been reached.
@@ -68,7 +98,16 @@ void Measurements<Dim, Real>::add_wall_contact(const Collision<Dim, Real>& colli
   add_transfer(impact, impact.normal * impact.impulse);
   const auto side = static_cast<std::size_t>(wall);
   const Vector after = simulation.peculiar_velocity(collision.i);
-  const Real gain = dot(collision.change, after - collision.change * Real(0.5));
+  const Real half_inverse =
+      are_unlike_ ? Real(simulation.grains().inverse_mass(collision.i) / 2) : Real(0.5);
+  Real gain = dot(collision.change, after - collision.change * half_inverse);
+  if (!simulation.spins().empty()) {
+    const auto spin = simulation.spins()[static_cast<std::size_t>(collision.i)];
+    gain += (twice_turning_energy(collision.i, spin, simulation) -
+             twice_turning_energy(collision.i, spin_before(collision.i, &collision, simulation),
+                                  simulation)) /
+            2;
+  }
   const Real work = collision.change[0] * simulation.surroundings().walls->speed[side];
   sums_.wall_impulse[side] += impact.impulse;
   sums_.wall_work += work;
@@ -90,9 +129,11 @@ void Measurements<Dim, Real>::add_transfer(const Impact<Dim, Real>& impact,
 }
 
 /// Adds the integrals over a flight that ends with the given peculiar velocity.
+///
+/// \param weight  mass x duration
 template <int Dim, class Real>
 void Measurements<Dim, Real>::add_flight(Sums& sums, const Vector& velocity_at_end,
-                                         const Real& duration) const {
+                                         const Real& duration, const Real& weight) const {
   Vector change;
   if (falls_) change = acceleration_ * duration;
   if constexpr (Dim > 1) {
@@ -105,11 +146,34 @@ void Measurements<Dim, Real>::add_flight(Sums& sums, const Vector& velocity_at_e
       Real square = mean[a] * mean[b];
       if (falls_ || b == 0) square += change[a] * change[b] / 12;  // without gravity only along x
       Real& sum = sums.kinetic[static_cast<std::size_t>(a * Dim + b)];
-      sum += square * duration;
+      sum += square * weight;
       sums.kinetic[static_cast<std::size_t>(b * Dim + a)] = sum;
     }
   }
-  if (falls_) sums.gravity_work += dot(acceleration_, mean) * duration;
+  if (falls_) sums.gravity_work += dot(acceleration_, mean) * weight;
+}
+
+/// The same of a sphere with a mass, a kind or a spin of its own; an immobile one adds nothing.
+///
+/// \param spin  constant during the flight
+template <int Dim, class Real>
+void Measurements<Dim, Real>::add_unlike_flight(Sums& sums, std::int32_t sphere,
+                                                const Vector& velocity_at_end,
+                                                const Spin<Dim, Real>& spin, const Real& duration,
+                                                const Simulation<Dim, Real>& simulation) const {
+  const auto& grains = simulation.grains();
+  if (grains.is_immobile(sphere)) return;
+  const auto trace = [&] {
+    Real sum = 0;
+    for (std::size_t axis = 0; axis < Dim; ++axis) sum += sums.kinetic[axis * (Dim + 1)];
+    return sum;
+  };
+  const auto kind = static_cast<std::size_t>(grains.kind(sphere));
+  const Real before = trace();
+  add_flight(sums, velocity_at_end, duration, duration * grains.mass(sphere));
+  if (!sums.kinetic_of_kind.empty()) sums.kinetic_of_kind[kind] += trace() - before;
+  if (sums.turning_of_kind.empty()) return;
+  sums.turning_of_kind[kind] += twice_turning_energy(sphere, spin, simulation) * duration;
 }
 
 /// Adds the part of every flight under way that lies before `end`.
@@ -126,8 +190,14 @@ void Measurements<Dim, Real>::add_flights_until(Sums& sums, const Instant<Real>&
         has_collided ? velocity_before(i, *collision, simulation) : simulation.peculiar_velocity(i);
     if constexpr (Dim > 1) velocity[0] += shear_rate_ * velocity[1] * ahead;
     velocity -= acceleration_ * ahead;
-    add_flight(sums, velocity,
-               elapsed(flight_start_[static_cast<std::size_t>(i)], end, clock_unit_));
+    const Real duration = elapsed(flight_start_[static_cast<std::size_t>(i)], end, clock_unit_);
+    if (!are_unlike_) {
+      add_flight(sums, velocity, duration, duration);
+    } else {
+      add_unlike_flight(sums, i, velocity,
+                        spin_before(i, has_collided ? collision : nullptr, simulation), duration,
+                        simulation);
+    }
   }
 }
 
@@ -136,6 +206,10 @@ Vec<Dim, Real> Measurements<Dim, Real>::velocity_before(
     std::int32_t sphere, const Collision<Dim, Real>& collision,
     const Simulation<Dim, Real>& simulation) const {
   const Vector after = simulation.peculiar_velocity(sphere);
+  if (are_unlike_) {
+    const Vector change = collision.change * simulation.grains().inverse_mass(sphere);
+    return sphere == collision.i ? after - change : after + change;
+  }
   return sphere == collision.i ? after - collision.change : after + collision.change;
 }
 
@@ -163,7 +237,12 @@ Real Measurements<Dim, Real>::kinetic_energy(const Simulation<Dim, Real>& simula
   Real twice = 0;
   for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
     const Vector velocity = simulation.peculiar_velocity(i);
-    twice += dot(velocity, velocity);
+    if (!are_unlike_) {
+      twice += dot(velocity, velocity);
+    } else if (!simulation.grains().is_immobile(i)) {
+      twice += dot(velocity, velocity) * simulation.grains().mass(i) +
+               twice_turning_energy(i, spin_before(i, nullptr, simulation), simulation);
+    }
   }
   return twice / 2;
 }
@@ -186,8 +265,8 @@ double Measurements<Dim, Real>::ledger_error(const Simulation<Dim, Real>& simula
   // A ball that bounces low has little energy, but places are rounded as parts of the whole box.
   Real potential = 0;
   if (const auto axis = simulation.box().closed_axis()) {
-    potential =
-        simulation.spheres() * Real(abs(acceleration_[*axis])) * simulation.box().sides()[*axis];
+    potential = total_mass(simulation.grains(), simulation.spheres()) *
+                Real(abs(acceleration_[*axis])) * simulation.box().sides()[*axis];
   }
   const Real scale = std::max({potential, energy, initial_energy_, Real(abs(shear_work(sums))),
                                Real(abs(sums.gravity_work)), Real(abs(sums.wall_work)),
@@ -210,6 +289,7 @@ std::optional<Averages> Measurements<Dim, Real>::averages(
   }
   const auto& box = simulation.box();
   const Real spheres = static_cast<Real>(simulation.spheres());
+  const Real mobile = static_cast<Real>(mobile_);
   const Real volume = box.volume();
   const auto rate = [&](const Real& now, const Real& then) {  // per volume and time
     return static_cast<double>((now - then) / (volume * span));
@@ -220,7 +300,7 @@ std::optional<Averages> Measurements<Dim, Real>::averages(
         rate(sums.kinetic[ab] + sums.collisional[ab], before.kinetic[ab] + before.collisional[ab]));
     if (ab % (Dim + 1) != 0) continue;
     const double temperature =
-        static_cast<double>((sums.kinetic[ab] - before.kinetic[ab]) / (spheres * span));
+        static_cast<double>((sums.kinetic[ab] - before.kinetic[ab]) / (mobile * span));
     averages.temperature_diagonal.push_back(temperature);
     averages.granular_temperature += temperature / Dim;
     averages.pressure += averages.pressure_tensor[ab] / Dim;
@@ -238,9 +318,10 @@ std::optional<Averages> Measurements<Dim, Real>::averages(
     }
   }
   averages.compressibility_factor =
-      averages.pressure * static_cast<double>(volume / spheres) / averages.granular_temperature;
+      averages.pressure * static_cast<double>(volume / mobile) / averages.granular_temperature;
   averages.normal_speed =
       static_cast<double>((sums.normal_speed - before.normal_speed) / collisions);
+  add_temperatures(averages, sums, before, span);
   averages.from_time = after_time_;
   averages.to_time = simulation.time();
   return averages;

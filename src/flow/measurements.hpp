@@ -38,6 +38,9 @@ class Measurements {
   /// kicks booked.
   void kick(Simulation<Dim, Real>& simulation, const std::vector<Vector>& changes);
 
+  /// Mobile spheres of each kind.
+  const std::vector<std::int64_t>& mobile_of_kind() const { return mobile_of_kind_; }
+
   /// Averages from `after_time` to the simulation's clock, or nothing if that span is empty.
   std::optional<Averages> averages(const Simulation<Dim, Real>& simulation) const;
 
@@ -51,13 +54,22 @@ class Measurements {
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     const std::size_t spheres = self.flight_start_.size();
+    const Sums& sums = self.sums_;
+    const std::size_t kinds = sums.kinetic_of_kind.size();
+    const std::size_t turning = sums.turning_of_kind.size();
     archive(self.initial_energy_, self.sums_, self.sums_before_, self.flight_start_);
     require_archived(self.flight_start_.size() == spheres, "sums of another number of spheres");
+    require_archived(sums.kinetic_of_kind.size() == kinds && sums.turning_of_kind.size() == turning,
+                     "sums of other kinds of spheres");
+    if (!self.sums_before_) return;
+    require_archived(self.sums_before_->kinetic_of_kind.size() == kinds &&
+                         self.sums_before_->turning_of_kind.size() == turning,
+                     "sums of other kinds of spheres");
   }
 
  private:
   struct Sums {
-    std::array<Real, Dim * Dim> kinetic{};      ///< time integral of sum v_a v_b
+    std::array<Real, Dim * Dim> kinetic{};      ///< time integral of sum m v_a v_b
     std::array<Real, Dim * Dim> collisional{};  ///< sum of r_a J_b
     std::array<Real, 2> wall_impulse{};         ///< normal to the lower and the upper wall
     Real gravity_work = 0;
@@ -66,11 +78,14 @@ class Measurements {
     Real dissipation = 0;
     Real normal_speed = 0;
     std::int64_t collisions = 0;
+    std::vector<Real> kinetic_of_kind{};  ///< time integral of sum m v^2; where there are several
+    std::vector<Real> turning_of_kind{};  ///< time integral of sum I w^2; where spheres turn
 
     template <class Self, class Archive>
     static void archive_state(Self& self, Archive& archive) {
       archive(self.kinetic, self.collisional, self.wall_impulse, self.gravity_work, self.wall_work,
-              self.kick_work, self.dissipation, self.normal_speed, self.collisions);
+              self.kick_work, self.dissipation, self.normal_speed, self.collisions,
+              self.kinetic_of_kind, self.turning_of_kind);
       require_counts(self.collisions);
     }
   };
@@ -83,12 +98,23 @@ class Measurements {
                                                 const Collision<Dim, Real>& collision,
                                                 const Simulation<Dim, Real>& simulation);
   void add_contact(const Collision<Dim, Real>& collision);
+  void add_unlike_loss(const Collision<Dim, Real>& collision,
+                       const Simulation<Dim, Real>& simulation);
   void add_wall_contact(const Collision<Dim, Real>& collision, int wall,
                         const Simulation<Dim, Real>& simulation);
   [[gnu::always_inline]] inline void add_transfer(const Impact<Dim, Real>& impact,
                                                   const Vector& momentum);
   [[gnu::always_inline]] inline void add_flight(Sums& sums, const Vector& velocity_at_end,
-                                                const Real& duration) const;
+                                                const Real& duration, const Real& weight) const;
+  void add_unlike_flight(Sums& sums, std::int32_t sphere, const Vector& velocity_at_end,
+                         const Spin<Dim, Real>& spin, const Real& duration,
+                         const Simulation<Dim, Real>& simulation) const;
+  Spin<Dim, Real> spin_before(std::int32_t sphere, const Collision<Dim, Real>* collision,
+                              const Simulation<Dim, Real>& simulation) const;
+  Real twice_turning_energy(std::int32_t sphere, const Spin<Dim, Real>& spin,
+                            const Simulation<Dim, Real>& simulation) const;
+  void add_temperatures(Averages& averages, const Sums& sums, const Sums& before,
+                        const Real& span) const;
   void add_flights_until(Sums& sums, const Instant<Real>& end,
                          const Simulation<Dim, Real>& simulation,
                          const Collision<Dim, Real>* collision) const;
@@ -101,7 +127,10 @@ class Measurements {
 
   Real shear_rate_;
   Vector acceleration_;
-  bool falls_;  ///< the acceleration is not zero
+  bool falls_;       ///< the acceleration is not zero
+  bool are_unlike_;  ///< spheres have masses of their own, or turn
+  std::vector<std::int64_t> mobile_of_kind_;
+  std::int64_t mobile_ = 0;
   Real clock_unit_;
   double after_time_;
   Instant<Real> after_;

@@ -15,7 +15,7 @@ namespace {
 class SortedSpheres {
  public:
   explicit SortedSpheres(const PlacedSpheres& spheres) : spheres_(spheres) {
-    constexpr double least_width = 1.001;
+    const double least_width = 1.001 * largest();
     constexpr double most_cells = 1 << 20;  // a side, so that the number of a cell fits in 64 bits
     for (std::size_t axis = 0; axis < dimension(); ++axis) {
       const double fitting = std::floor(spheres.sides[axis] / least_width);
@@ -37,6 +37,16 @@ class SortedSpheres {
   using Place = std::array<double, 3>;
 
   std::size_t dimension() const { return spheres_.sides.size(); }
+  double diameter(std::size_t i) const {
+    return spheres_.diameters.empty() ? 1.0 : spheres_.diameters[i];
+  }
+  double largest() const {
+    const auto& diameters = spheres_.diameters;
+    return diameters.empty() ? 1.0 : *std::max_element(diameters.begin(), diameters.end());
+  }
+  bool is_immobile(std::size_t i) const {
+    return !spheres_.immobile.empty() && spheres_.immobile[i] != 0;
+  }
   bool is_closed(std::size_t axis) const { return spheres_.closed == static_cast<int>(axis); }
 
   Place place_of(std::size_t i) const {
@@ -96,8 +106,9 @@ class SortedSpheres {
   void search_cell(std::size_t i, const Place& place, std::int64_t cell, Overlap& deepest) const {
     auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(cell, i + 1));
     for (; found != sorted_.end() && found->first == cell; ++found) {
-      const double depth = 1 - distance(place, place_of(found->second));
-      if (!(depth > deepest.depth)) continue;
+      const double sigma = (diameter(i) + diameter(found->second)) / 2;
+      const double depth = sigma - distance(place, place_of(found->second));
+      if (!(depth > deepest.depth) || (is_immobile(i) && is_immobile(found->second))) continue;
       deepest = {static_cast<std::int64_t>(i), static_cast<std::int64_t>(found->second), depth};
     }
   }
@@ -125,7 +136,8 @@ class SortedSpheres {
 
 }  // namespace
 
-double deepest_permitted(OverlapRule rule, double guard, double time, double longest_side) {
+double deepest_permitted(OverlapRule rule, double guard, double time, double longest_side,
+                         double largest) {
   // Starts may overlap by 1e-12; a flight through a long box rounds a place by some ulps of its
   // side, each time that it is given another image: 94 have been seen.
   constexpr double most_ulps = 256;
@@ -133,7 +145,8 @@ double deepest_permitted(OverlapRule rule, double guard, double time, double lon
       std::max(1e-9, most_ulps * std::numeric_limits<double>::epsilon() * longest_side);
   switch (rule) {
     case OverlapRule::rewind:
-      return by_rounding + 2 * longest_way_back(longest_side);
+      return by_rounding +
+             2 * longest_way_back(longest_side, std::numeric_limits<double>::epsilon(), largest);
     case OverlapRule::guarded:
       return by_rounding + guard * time;
     case OverlapRule::immediate:

@@ -10,10 +10,13 @@ namespace zenosphere {
 
 /// A state as a snapshot has it: laboratory positions in a box whose images along y are displaced.
 struct PlacedSpheres {
-  std::vector<double> positions;  ///< N x D, row-major, diameters, each component in [0, L]
-  std::vector<double> sides;      ///< D, diameters, each > 2, along a closed axis > 1
-  double offset = 0;              ///< of the upper image of the box along x, diameters
-  std::optional<int> closed{};    ///< the axis between walls, if there is one
+  std::vector<double> positions;    ///< N x D, row-major, diameters, each component in [0, L]
+  std::vector<double> sides;        ///< D, each > 2 largest diameters, along a closed axis > 1
+  double offset = 0;                ///< of the upper image of the box along x, diameters
+  std::optional<int> closed{};      ///< the axis between walls, if there is one
+  std::vector<double> diameters{};  ///< N; empty: all 1
+  std::vector<std::uint8_t>
+      immobile{};  ///< N; empty: none. Two that are may overlap from the start
 };
 
 /// Two spheres and how deep they are in each other, diameters; negative: their gap.
@@ -38,6 +41,8 @@ Overlap deepest_overlap(const PlacedSpheres& spheres);
 ///
 /// \param guard         diameters^2/time, and the time since the start, in the case's unit
 /// \param longest_side  of the box, diameters
-double deepest_permitted(OverlapRule rule, double guard, double time, double longest_side);
+/// \param largest       diameter
+double deepest_permitted(OverlapRule rule, double guard, double time, double longest_side,
+                         double largest = 1);
 
 }  // namespace zenosphere

@@ -16,13 +16,17 @@ struct Collision {
   std::int32_t i = 0;
   std::int32_t j = 0;  ///< > i; the number of spheres and one more stand for the two walls
   Impact<Dim, Real> impact;
-  Vec<Dim, Real> change;  ///< of the velocity of i; that of a sphere j is the opposite. Along the
-                          ///< normal unless a wall is rough or a contact model has turned it
+  Vec<Dim, Real> change;  ///< of the momentum of i, mass diameter/time; that of a sphere j is the
+                          ///< opposite. Along the normal unless the contact is rough or a contact
+                          ///< model has turned it
   Real gap_before = 0;    ///< that this pair had to close after the collision before (or the kick,
                           ///< if one came since); off a wall and back to it: the height of the apex
+  Vec<Dim, Real> friction;    ///< of that the part across the normal that friction has made
+  Real friction_loss = 0;     ///< energy that friction took, mass diameter^2/time^2
   bool overlapping = false;   ///< the overlap rule gave the time
-  bool absorbed = false;      ///< no bit of any velocity has changed
+  bool absorbed = false;      ///< no bit of any velocity or spin has changed
   bool made_elastic = false;  ///< by the TC model
+  bool sliding = false;       ///< friction was at its limit: the surfaces slid
 };
 
 }  // namespace zenosphere

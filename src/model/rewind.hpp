@@ -15,15 +15,19 @@ namespace zenosphere {
 /// longest of 3e5 is 26, in 53, 64 and 113 bits alike: pairs that graze more slowly than the
 /// fastest sphere flies. At 32 these runs keep each bit.
 ///
+/// Of spheres of other sizes the path is sqrt(2 delta) of their mean diameter.
+///
 /// \param longest_side  of the box, diameters
 /// \param epsilon       of the number type
+/// \param sigma         largest diameter
 /// Source: docs/decisions/0016-rewind-within-the-digits.md.
 template <class Real>
 Real longest_way_back(const Real& longest_side,
-                      const Real& epsilon = std::numeric_limits<Real>::epsilon()) {
+                      const Real& epsilon = std::numeric_limits<Real>::epsilon(),
+                      const Real& sigma = Real(1)) {
   using std::sqrt;
   const Real depth = 4 * epsilon * longest_side;
-  return 32 * sqrt(static_cast<Real>(2 * depth));
+  return 32 * sqrt(static_cast<Real>(2 * depth * sigma));
 }
 
 }  // namespace zenosphere

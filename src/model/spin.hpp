@@ -41,6 +41,18 @@ Spin<Dim, Real> angular_impulse(const Vec<Dim, Real>& arm, const Vec<Dim, Real>&
   }
 }
 
+/// What friction changes of the spin of a sphere, radians/time: its contact is one radius along the
+/// normal from its centre.
+///
+/// \param friction  impulse on the first of the two, from which the normal points away; of the
+///                  second, the normal and its impulse are both the opposite
+/// \param inertia   q, where the moment of inertia is q mass radius^2
+template <int Dim, class Real>
+Spin<Dim, Real> change_of_spin(const Vec<Dim, Real>& normal, const Vec<Dim, Real>& friction,
+                               const Real& inverse_mass, const Real& radius, const Real& inertia) {
+  return angular_impulse<Dim, Real>(normal, friction) * Real(inverse_mass / (radius * inertia));
+}
+
 /// q of a solid sphere or disk, whose moment of inertia is q mass diameter^2 / 4.
 template <int Dim>
 inline constexpr double solid_inertia = Dim == 3 ? 0.4 : 0.5;

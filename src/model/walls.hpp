@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "model/contact.hpp"
@@ -12,9 +13,11 @@ namespace zenosphere {
 /// Two flat walls that close the box along one axis, and how spheres bounce off them.
 template <class Real>
 struct Walls {
-  int axis = 0;                        ///< their normal
-  Real restitution = 1;                ///< of the normal velocity, in [0, 1]
-  Real tangential_restitution = -1;    ///< in [-1, 1]; -1: smooth, 0: takes the wall's velocity
+  int axis = 0;                      ///< their normal
+  Real restitution = 1;              ///< of the normal velocity, in [0, 1]
+  Real tangential_restitution = -1;  ///< in [-1, 1]; -1: smooth, 0: takes the wall's velocity
+  Real friction =
+      std::numeric_limits<Real>::infinity();  ///< of spheres that turn: ContactConstants
   std::array<Real, 2> speed = {0, 0};  ///< of the lower and the upper wall along x, diameters/time
 };
 
@@ -22,10 +25,10 @@ struct Walls {
 template <int Dim, class Real>
 struct WallImpact {
   Impact<Dim, Real> impact;  ///< the normal points from the sphere to the wall
-  Vec<Dim, Real> change;     ///< of the velocity, normal and tangential, diameters/time
+  Vec<Dim, Real> change;     ///< of the momentum, normal and tangential, mass diameters/time
 };
 
-/// The bounce of a unit-mass sphere off one of the walls.
+/// The bounce of a sphere that does not turn off one of the walls.
 ///
 /// The normal velocity is reversed and multiplied by the wall's restitution; the tangential
 /// velocity relative to the wall is multiplied by minus the tangential restitution. A sphere that
@@ -35,20 +38,22 @@ struct WallImpact {
 /// \param velocity  of the sphere, diameters/time
 template <int Dim, class Real>
 WallImpact<Dim, Real> wall_impact(const Walls<Real>& walls, int side,
-                                  const Vec<Dim, Real>& velocity) {
+                                  const Vec<Dim, Real>& velocity, const Real& mass = Real(1),
+                                  const Real& radius = Real(0.5)) {
   WallImpact<Dim, Real> result;
   Impact<Dim, Real>& impact = result.impact;
   impact.normal[walls.axis] = side == 0 ? -1 : 1;
-  impact.distance = Real(0.5);
+  impact.distance = radius;
   impact.normal_speed = dot(impact.normal, velocity);
-  impact.impulse =
-      impact.normal_speed > 0 ? Real((1 + walls.restitution) * impact.normal_speed) : Real(0);
+  impact.impulse = impact.normal_speed > 0
+                       ? Real((1 + walls.restitution) * impact.normal_speed * mass)
+                       : Real(0);
   result.change = impact.normal * -impact.impulse;
   if (walls.tangential_restitution == -1 || impact.impulse == 0) return result;
   for (int axis = 0; axis < Dim; ++axis) {
     if (axis == walls.axis) continue;
     const Real wall_speed = axis == 0 ? walls.speed[static_cast<std::size_t>(side)] : Real(0);
-    result.change[axis] = (1 + walls.tangential_restitution) * (wall_speed - velocity[axis]);
+    result.change[axis] = (1 + walls.tangential_restitution) * (wall_speed - velocity[axis]) * mass;
   }
   return result;
 }

@@ -35,4 +35,10 @@ inline pybind11::object owning_images(std::vector<std::int32_t> images, pybind11
   return owning_table(std::move(images), columns);
 }
 
+/// The angular velocities of a snapshot, three columns or one, or None where nothing turns.
+inline pybind11::object owning_spins(std::vector<double> spins, pybind11::ssize_t dimension) {
+  if (spins.empty()) return pybind11::none();
+  return owning_table(std::move(spins), dimension == 3 ? 3 : 1);
+}
+
 }  // namespace zenosphere

@@ -169,7 +169,8 @@ py::tuple DrivenRun::state() const {
                         owning_table(std::move(snapshot.velocities), dimension),
                         owning_table(std::move(state.peculiar_velocities), dimension),
                         owning_table(std::move(snapshot.box_edges), dimension),
-                        owning_images(std::move(snapshot.images), dimension));
+                        owning_images(std::move(snapshot.images), dimension),
+                        owning_spins(std::move(snapshot.angular_velocities), dimension));
 }
 
 }  // namespace zenosphere

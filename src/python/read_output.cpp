@@ -74,7 +74,8 @@ py::tuple ReadOutput::snapshot(std::int64_t n) const {
                         owning_table(std::move(snapshot.positions), dimension_),
                         owning_table(std::move(snapshot.velocities), dimension_),
                         owning_table(std::move(snapshot.box_edges), dimension_),
-                        owning_images(std::move(snapshot.images), dimension_));
+                        owning_images(std::move(snapshot.images), dimension_),
+                        owning_spins(std::move(snapshot.angular_velocities), dimension_));
 }
 
 }  // namespace zenosphere

@@ -63,15 +63,17 @@ double ClusterGaps<Dim, Real>::smallest(std::span<const std::int32_t> spheres, d
   for (auto i = spheres.begin(); i != spheres.end(); ++i) {
     for (auto j = i + 1; j != spheres.end(); ++j) {
       const Relative way = relative(*i, *j);
-      add(gap(way.dr), dot(way.dr, way.dv));
+      const Real sigma = state_.grains.radius(*i) + state_.grains.radius(*j);
+      add(gap(way.dr, sigma), dot(way.dr, way.dv));
     }
     const auto axis = box_.closed_axis();
     if (!axis) continue;
     const auto own = static_cast<std::size_t>(*i);
     const Real& place = state_.positions[own][*axis];
     const Real& speed = state_.velocities[own][*axis];
-    add(Real(place - Real(0.5)), speed);
-    add(Real(box_.sides()[*axis] - Real(0.5) - place), Real(-speed));
+    const Real radius = state_.grains.radius(*i);
+    add(Real(place - radius), speed);
+    add(Real(box_.sides()[*axis] - radius - place), Real(-speed));
   }
   return smallest.depth();
 }

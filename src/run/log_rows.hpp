@@ -34,6 +34,7 @@ class LogRows {
         flag(collision.absorbed, collision_flag::absorbed) |
         flag(!(collision.impact.normal_speed > 0), collision_flag::receding) |
         flag(collision.made_elastic, collision_flag::made_elastic) |
+        flag(collision.sliding, collision_flag::sliding) |
         flag(!(collision.flight > 0), collision_flag::clock_stood));
   }
 

@@ -24,16 +24,38 @@ Real gathered_rounding() {
   return Real(4.5e7) * std::numeric_limits<Real>::epsilon();
 }
 
-/// Sum of the velocities, and of their components' sizes.
+/// Mass of a sphere, of an immobile one 0: it has no momentum that could change.
+template <class Real>
+Real mobile_mass(const Grains<Real>& grains, std::int32_t i) {
+  return grains.is_immobile(i) ? Real(0) : grains.mass(i);
+}
+
+template <int Dim, class Real>
+Real total_mass(const Simulation<Dim, Real>& simulation) {
+  if (simulation.grains().are_alike()) return Real(simulation.spheres());
+  Real sum = 0;
+  for (std::int32_t i = 0; i < simulation.spheres(); ++i)
+    sum += mobile_mass(simulation.grains(), i);
+  return sum;
+}
+
+/// Whether something takes up momentum: walls, or spheres that keep their velocity.
+template <int Dim, class Real>
+bool has_sinks(const Simulation<Dim, Real>& simulation) {
+  return simulation.box().closed_axis().has_value() || !simulation.grains().immobile.empty();
+}
+
+/// Sum of the momenta, and of their components' sizes.
 template <int Dim, class Real>
 std::pair<Vec<Dim, Real>, Real> momentum_of(const Simulation<Dim, Real>& simulation) {
   using std::abs;
   Vec<Dim, Real> sum;
   Real scale = 0;
   for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
-    const auto velocity = simulation.peculiar_velocity(i);
-    sum += velocity;
-    for (int axis = 0; axis < Dim; ++axis) scale += abs(velocity[axis]);
+    auto momentum = simulation.peculiar_velocity(i);
+    if (!simulation.grains().are_alike()) momentum *= mobile_mass(simulation.grains(), i);
+    sum += momentum;
+    for (int axis = 0; axis < Dim; ++axis) scale += abs(momentum[axis]);
   }
   return {sum, scale};
 }
@@ -87,7 +109,7 @@ Vec<Dim, Real> SelfCheck<Dim, Real>::expected_momentum(
     const Simulation<Dim, Real>& simulation) const {
   const auto& box = simulation.box();
   const Real time = elapsed(Instant<Real>{}, simulation.now(), box.clock_unit());
-  const Vector pull = simulation.surroundings().acceleration * Real(simulation.spheres());
+  const Vector pull = simulation.surroundings().acceleration * total_mass(simulation);
   Vector expected = momentum_at_start_ + pull * time;
   if constexpr (Dim > 1) {
     expected[0] -= box.shear_rate() * time * (momentum_at_start_[1] + pull[1] * time / 2);
@@ -97,7 +119,7 @@ Vec<Dim, Real> SelfCheck<Dim, Real>::expected_momentum(
 
 template <int Dim, class Real>
 Real SelfCheck<Dim, Real>::speeds_with_profile(const Simulation<Dim, Real>& simulation) const {
-  return momentum_scale_ + simulation.box().slide_speed() * Real(simulation.spheres());
+  return momentum_scale_ + simulation.box().slide_speed() * total_mass(simulation);
 }
 
 template <int Dim, class Real>
@@ -109,8 +131,7 @@ void SelfCheck<Dim, Real>::look_at_momentum(const Simulation<Dim, Real>& simulat
   const Real rounding = gathered_rounding_ * speeds_with_profile(simulation);
   for (int axis = 0; axis < Dim; ++axis) {
     const Real change = abs(momentum[axis] - expected[axis]);
-    const bool has_walls = simulation.box().closed_axis().has_value();  // they take it up
-    if (has_walls || change <= rounding) continue;
+    if (has_sinks(simulation) || change <= rounding) continue;
     note(
         simulation.collisions(),
         fmt::format("momentum along axis {} has changed by {:.3g}, of speeds that sum up to {:.3g}",
@@ -140,7 +161,12 @@ void SelfCheck<Dim, Real>::look_at_overlaps(const Simulation<Dim, Real>& simulat
   PlacedSpheres spheres{.positions = {},
                         .sides = {},
                         .offset = static_cast<double>(simulation.lees_edwards_offset()),
-                        .closed = simulation.box().closed_axis()};
+                        .closed = simulation.box().closed_axis(),
+                        .diameters = {},
+                        .immobile = state.grains.immobile};
+  for (const Real& diameter : state.grains.diameters) {
+    spheres.diameters.push_back(static_cast<double>(diameter));
+  }
   for (int axis = 0; axis < Dim; ++axis) {
     spheres.sides.push_back(static_cast<double>(simulation.box().sides()[axis]));
   }
@@ -151,7 +177,8 @@ void SelfCheck<Dim, Real>::look_at_overlaps(const Simulation<Dim, Real>& simulat
   }
   const double permitted = deepest_permitted(
       simulation.rules().overlap, static_cast<double>(simulation.rules().guard), simulation.time(),
-      *std::max_element(spheres.sides.begin(), spheres.sides.end()));
+      *std::max_element(spheres.sides.begin(), spheres.sides.end()),
+      static_cast<double>(state.grains.largest_diameter()));
   const Overlap overlap = deepest_overlap(spheres);
   if (overlap.depth > permitted) {
     note(

@@ -6,6 +6,7 @@
 
 #include "case/case_cells.hpp"
 #include "case/case_file.hpp"
+#include "case/case_grains.hpp"
 #include "engine/start.hpp"
 #include "model/errors.hpp"
 #include "model/instantiate.hpp"
@@ -33,6 +34,15 @@ std::vector<Vec<Dim, Real>> in_precision(const std::vector<Vec<Dim, double>>& ve
   return result;
 }
 
+/// What spheres are, in the precision of Real.
+template <class Real, class Convert>
+Grains<Real> converted(const Grains<double>& grains, const Convert& convert) {
+  Grains<Real> result{{}, {}, grains.kinds, grains.immobile};
+  for (const double diameter : grains.diameters) result.diameters.push_back(convert(diameter));
+  for (const double mass : grains.masses) result.masses.push_back(convert(mass));
+  return result;
+}
+
 /// Positions and velocities that the case gives; laboratory velocities become peculiar ones.
 template <int Dim, class Real>
 Configuration<Dim, Real> given_configuration(const Case& values, const ShearBox<Dim, Real>& box) {
@@ -40,11 +50,12 @@ Configuration<Dim, Real> given_configuration(const Case& values, const ShearBox<
   Configuration<Dim, Real> start{vectors<Dim, Real>(given.positions),
                                  vectors<Dim, Real>(given.velocities),
                                  from_decimal<Real>(given.offset)};
+  start.grains = converted<Real>(given.grains, from_decimal<Real>);
   if (values.start.granular_temperature) {
     Random random(values.start.seed);
     start.velocities = in_precision<Dim, Real>(
         thermal_velocities<Dim>(static_cast<std::int32_t>(start.positions.size()),
-                                *values.start.granular_temperature, random));
+                                *values.start.granular_temperature, random, given.grains));
   } else if (box.is_sheared()) {
     for (std::size_t i = 0; i < start.positions.size(); ++i) {
       start.velocities[i][0] -= box.profile(start.positions[i]);
@@ -66,9 +77,13 @@ Configuration<Dim, Real> start_of(const Case& values, const ShearBox<Dim, Real>&
         make_start<Dim>({.arrangement = arrangement,
                          .spheres = static_cast<std::int32_t>(values.system.spheres),
                          .granular_temperature = values.start.granular_temperature.value_or(0),
-                         .seed = values.start.seed},
+                         .seed = values.start.seed,
+                         .grains = grains_of(values)},
                         box_of<Dim, double>(values));
-    return {in_precision<Dim, Real>(made.positions), in_precision<Dim, Real>(made.velocities)};
+    Configuration<Dim, Real> start{in_precision<Dim, Real>(made.positions),
+                                   in_precision<Dim, Real>(made.velocities)};
+    start.grains = converted<Real>(made.grains, [](double number) { return Real(number); });
+    return start;
   } catch (const std::invalid_argument& error) {
     throw InputError(std::string("start: ") + error.what() +
                      "; lower system.solids_volume_fraction or choose another start");
@@ -136,6 +151,9 @@ OutputHeader output_header(const Case& values) {
   OutputHeader header{
       values.text, resolved_toml(values), values.system.dimension, values.system.spheres,
       std::vector<std::string>(static_cast<std::size_t>(values.system.dimension), "periodic")};
+  header.grains = grains_of(values);
+  for (const Species& species : values.species) header.species.push_back(species.name);
+  if (is_rough(values)) header.spin_axes = values.system.dimension == 3 ? 3 : 1;
   if (values.walls.axis) header.boundary[static_cast<std::size_t>(*values.walls.axis)] = "none";
   return header;
 }

@@ -28,7 +28,8 @@ Snapshot snapshot_of(const Simulation<Dim, Real>& simulation) {
                     .positions = {},
                     .velocities = {},
                     .box_edges = std::vector<double>(Dim * Dim, 0.0),
-                    .images = {}};
+                    .images = {},
+                    .angular_velocities = {}};
   for (int axis = 0; axis < Dim; ++axis) {
     snapshot.box_edges[static_cast<std::size_t>(axis * (Dim + 1))] =
         static_cast<double>(box.sides()[axis]);
@@ -48,6 +49,11 @@ Snapshot snapshot_of(const Simulation<Dim, Real>& simulation) {
       snapshot.positions.push_back(static_cast<double>(state.positions[i][axis]));
       snapshot.velocities.push_back(static_cast<double>(velocity[axis]));
       snapshot.images.push_back(image_flag(state.boxes[i][axis]));
+    }
+  }
+  for (const auto& spin : state.spins) {
+    for (const Real& component : spin.components) {
+      snapshot.angular_velocities.push_back(static_cast<double>(component));
     }
   }
   return snapshot;

@@ -118,10 +118,19 @@ void TrialRun<Dim, Real>::keep(const DepthRow& row, const Collision<Dim, Real>& 
   kept_->rows.push_back(row);
   kept_->times.push_back(exactly_since_start(collision.time, simulation_.box().clock_unit()));
   const Real& speed = collision.impact.normal_speed;
-  const Real elastic = simulation_.wall(collision.j) ? Real(2 * speed) : speed;
-  kept_->dissipative.push_back(speed > 0 && collision.impact.impulse < elastic);
+  const bool loses = collision.impact.impulse < elastic_impulse(collision);
+  kept_->dissipative.push_back(speed > 0 && (loses || collision.friction_loss > 0));
   fastest_ = std::max(fastest_, speed);
   kept_->margins.push_back(margin_of_curvature(collision));
+}
+
+/// The normal impulse that a collision without loss would have had.
+template <int Dim, class Real>
+Real TrialRun<Dim, Real>::elastic_impulse(const Collision<Dim, Real>& collision) const {
+  const auto& grains = simulation_.grains();
+  Real inverse_masses = grains.inverse_mass(collision.i);
+  if (!simulation_.wall(collision.j)) inverse_masses += grains.inverse_mass(collision.j);
+  return normal_impulse(collision.impact.normal_speed, Real(1), inverse_masses);
 }
 
 /// See Curvature; infinite at a wall, which is flat, and where the spheres slide no faster than the
@@ -134,7 +143,11 @@ double TrialRun<Dim, Real>::margin_of_curvature(const Collision<Dim, Real>& coll
   if (Dim == 1 || simulation_.wall(collision.j) || !(speed > 0)) return none;
   auto sliding =
       simulation_.peculiar_velocity(collision.j) - simulation_.peculiar_velocity(collision.i);
-  if constexpr (Dim > 1) sliding[0] += simulation_.box().shear_rate() * normal[1];
+  if constexpr (Dim > 1) {
+    const auto& grains = simulation_.grains();
+    const Real sigma = grains.radius(collision.i) + grains.radius(collision.j);
+    sliding[0] += simulation_.box().shear_rate() * normal[1] * sigma;
+  }
   sliding -= normal * dot(sliding, normal);
   Real longest = 0;
   for (int axis = 0; axis < Dim; ++axis)

@@ -77,6 +77,7 @@ class TrialRun {
 
   void observe(const Collision<Dim, Real>& collision, const TrialEnd& end);
   void keep(const DepthRow& row, const Collision<Dim, Real>& collision);
+  Real elastic_impulse(const Collision<Dim, Real>& collision) const;
   double margin_of_curvature(const Collision<Dim, Real>& collision) const;
   bool is_over(const TrialEnd& end);
   std::string what_ends(const TrialEnd& end);

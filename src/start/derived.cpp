@@ -11,6 +11,7 @@
 
 #include "case/case_box.hpp"
 #include "case/case_cells.hpp"
+#include "case/case_grains.hpp"
 #include "model/contact_models.hpp"
 #include "start/start_file.hpp"
 
@@ -117,6 +118,23 @@ void add_contact(const Case& values, Lines& lines) {
   }
 }
 
+/// `400 spheres of diameter 1.4, mass 2.744`
+void add_species(const Case& values, Lines& lines) {
+  const std::vector<std::int64_t> counts = spheres_by_species(values);
+  for (std::size_t kind = 0; kind < values.species.size(); ++kind) {
+    const Species& species = values.species[kind];
+    const double mass = species.mass.value_or(std::pow(species.diameter, values.system.dimension));
+    lines.add(fmt::format("species {}", species.name),
+              fmt::format("{} spheres, diameter {:.8g}, {}", counts[kind], species.diameter,
+                          species.immobile ? "immobile" : fmt::format("mass {:.8g}", mass)),
+              "");
+  }
+  const Sizes& sizes = values.system.sizes;
+  if (sizes.smallest == sizes.largest) return;
+  lines.add("smallest and largest diameter",
+            fmt::format("{:.8g}, {:.8g}", sizes.smallest, sizes.largest), "");
+}
+
 void add_run(const Case& values, Lines& lines) {
   if (!values.run.collisions) return;
   const auto collisions = static_cast<double>(*values.run.collisions);
@@ -171,6 +189,7 @@ std::string text_in(const Case& values) {
   const auto box = box_of<Dim, double>(values);
   Lines lines;
   add_box(values, box, lines);
+  add_species(values, lines);
   add_start(values, box.sides()[0], lines);
   if constexpr (Dim > 1) add_shear(values, box.sides()[1], lines);
   add_kicks(values, lines);

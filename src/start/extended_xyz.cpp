@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -70,10 +72,15 @@ class Rows {
       frame.positions[frame.positions.size() - origin_.size() + axis] -= origin_[axis];
     }
     append(columns_.velocity, frame.velocities);
-    for (std::size_t n = 0; n < columns_.momentum.count; ++n) require_mass_one(n);
+    std::optional<double> diameter;
+    std::optional<double> mass;
     for (const auto& [name, column, expected] : columns_.fixed) {
-      xyz::require_unit(name, number_at(column), expected, lines_);
+      note(name, number_at(column) / expected, name.starts_with("mass") ? mass : diameter);
     }
+    if (diameter) frame.diameters.push_back(*diameter);
+    if (mass) frame.masses.push_back(*mass);
+    for (std::size_t n = 0; n < columns_.momentum.count; ++n) require_product(n, mass.value_or(1));
+    if (columns_.has_momenta && mass) divide_velocity(frame, *mass);
     // X is the element without a name, whose mass is 1.
     const bool has_mass = columns_.has_masses || words_.front() == "X";
     if (columns_.has_momenta && !has_mass) frame.needs_masses = true;
@@ -108,14 +115,30 @@ class Rows {
     }
   }
 
-  /// A component of the momentum beside the velocity must be the same number.
-  void require_mass_one(std::size_t axis) const {
+  /// Takes the diameter or mass that a column tells, which no other column contradicts.
+  void note(const std::string& name, double size, std::optional<double>& noted) const {
+    if (!(size > 0)) lines_.reject(fmt::format("{} is {} (must be > 0)", name, size));
+    if (noted && std::abs(*noted - size) > xyz::file_accuracy * size) {
+      lines_.reject(fmt::format("{} contradicts another column; keep one", name));
+    }
+    noted = size;
+  }
+
+  /// A component of the momentum beside the velocity must be mass times it.
+  void require_product(std::size_t axis, double mass) const {
     const double momentum = number_at(columns_.momentum.first + axis);
     const double velocity = number_at(columns_.velocity.first + axis);
-    if (std::abs(momentum - velocity) <= xyz::file_accuracy * std::abs(velocity)) return;
-    lines_.reject(
-        fmt::format("momentum {} beside {} {} (they are equal: mass is the unit); keep one",
-                    momentum, columns_.velocity_name, velocity));
+    if (std::abs(momentum - mass * velocity) <= xyz::file_accuracy * std::abs(mass * velocity)) {
+      return;
+    }
+    lines_.reject(fmt::format("momentum {} beside {} {} (the mass is {:g}); keep one", momentum,
+                              columns_.velocity_name, velocity, mass));
+  }
+
+  void divide_velocity(XyzFrame& frame, double mass) const {
+    const auto components = static_cast<std::ptrdiff_t>(dimension_);
+    std::for_each(frame.velocities.end() - components, frame.velocities.end(),
+                  [mass](double& component) { component /= mass; });
   }
 
   static constexpr double equal = 1e-9;  // files in text often have ten digits

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "case/case_box.hpp"
+#include "case/case_grains.hpp"
 #include "case/case_rules.hpp"
 #include "case/case_speeds.hpp"
 #include "flow/overlaps.hpp"
@@ -52,6 +53,26 @@ void require_equal_sides(const std::vector<double>& found, const std::vector<dou
                               "with system.sides",
                               text(found), text(sides)));
   }
+}
+
+/// What a file tells of its spheres is what the case says of them.
+void require_equal_grains(const Grains<double>& found, const Grains<double>& wanted,
+                          const std::string& where) {
+  constexpr double equal = 1e-9;  // files in text often have ten digits
+  const auto compare = [&](const char* what, bool is_told, std::size_t count, const auto& of) {
+    for (std::size_t k = 0; is_told && k < count; ++k) {
+      const auto i = static_cast<std::int32_t>(k);
+      if (std::abs(of(found, i) - of(wanted, i)) <= equal * of(wanted, i)) continue;
+      reject(where, fmt::format("sphere {} has the {} {:.10g} (in the case it has {:.10g}); give "
+                                "the file in the units of the case, and the case its species",
+                                i, what, of(found, i), of(wanted, i)));
+    }
+  };
+  const std::size_t spheres = std::max(found.diameters.size(), found.masses.size());
+  compare("diameter", !found.diameters.empty(), spheres,
+          [](const auto& grains, std::int32_t i) { return grains.diameter(i); });
+  compare("mass", !found.masses.empty(), spheres,
+          [](const auto& grains, std::int32_t i) { return grains.mass(i); });
 }
 
 GivenStart start_from_output(const Case& values, const std::string& file) {
@@ -118,11 +139,15 @@ GivenStart start_from_text(const Case& values, const std::string& file) {
     }
   }
   require_equal_boundaries(values, frame, file);
-  return {dimension, std::move(frame.positions), std::move(frame.velocities),
-          std::move(frame.sides), frame.offset};
+  return {dimension,
+          std::move(frame.positions),
+          std::move(frame.velocities),
+          std::move(frame.sides),
+          frame.offset,
+          {std::move(frame.diameters), std::move(frame.masses)}};
 }
 
-/// Every centre in [1/2, L - 1/2] between walls, and elsewhere so near that it has its digits.
+/// Every centre a radius away from walls at least, and elsewhere so near that it has its digits.
 void require_within_reach(const Case& values, const GivenStart& start, const std::string& where) {
   const auto components = static_cast<std::size_t>(start.dimension);
   const auto closed = closed_axis(values);
@@ -137,11 +162,12 @@ void require_within_reach(const Case& values, const GivenStart& start, const std
                                 "<= {}); move it",
                                 i, place_of(start, i), axis_letter(axis), longest_side));
     }
-    if (position >= 0.5 - touching && position <= side - 0.5 + touching) continue;
+    const double radius = start.grains.radius(static_cast<std::int32_t>(i));
+    if (position >= radius - touching && position <= side - radius + touching) continue;
     const bool is_outside = !(position >= 0 && position < side);
-    reject(where,
-           fmt::format("sphere {} at {} is {} (0.5 <= {} <= {}); move it", i, place_of(start, i),
-                       is_outside ? "behind a wall" : "in a wall", axis_letter(axis), side - 0.5));
+    reject(where, fmt::format("sphere {} at {} is {} ({} <= {} <= {}); move it", i,
+                              place_of(start, i), is_outside ? "behind a wall" : "in a wall",
+                              radius, axis_letter(axis), side - radius));
   }
 }
 
@@ -169,15 +195,18 @@ void wrap(const Case& values, GivenStart& start) {
 }
 
 void require_no_overlap(const Case& values, const GivenStart& start, const std::string& where) {
-  const Overlap deepest =
-      deepest_overlap({start.positions, start.sides, start.offset, closed_axis(values)});
+  const Overlap deepest = deepest_overlap(
+      {start.positions, start.sides, start.offset, closed_axis(values), start.grains.diameters});
   // In a long box rounding leaves more: half an ulp for each coordinate and for the difference.
   const double longest = *std::max_element(start.sides.begin(), start.sides.end());
   const double rounding = 2 * std::numeric_limits<double>::epsilon() * longest;
   if (deepest.depth <= std::max(touching, rounding)) return;
+  const double reach = start.grains.radius(static_cast<std::int32_t>(deepest.i)) +
+                       start.grains.radius(static_cast<std::int32_t>(deepest.j));
   reject(where,
-         fmt::format("spheres {} and {} overlap (distance {:.13g} diameters); move them apart",
-                     deepest.i, deepest.j, 1 - deepest.depth));
+         fmt::format("spheres {} and {} overlap (distance {:.13g} diameters{}); move them apart",
+                     deepest.i, deepest.j, reach - deepest.depth,
+                     reach == 1 ? "" : fmt::format(", they touch at {:g}", reach)));
 }
 
 /// Written velocities have been judged with the case.
@@ -217,8 +246,9 @@ void require_no_lasting_contact(const Case& values, const GivenStart& start,
   if (pull == 0) return;
   const auto components = static_cast<std::size_t>(start.dimension);
   for (std::size_t at = axis; at < start.positions.size(); at += components) {
-    const bool touches =
-        pull < 0 ? start.positions[at] <= 0.5 : start.positions[at] >= start.sides[axis] - 0.5;
+    const double radius = start.grains.radius(static_cast<std::int32_t>(at / components));
+    const bool touches = pull < 0 ? start.positions[at] <= radius
+                                  : start.positions[at] >= start.sides[axis] - radius;
     const bool moves = !start.velocities.empty() && start.velocities[at] != 0;
     if (!touches || moves) continue;
     const std::size_t i = at / components;
@@ -253,6 +283,8 @@ GivenStart given_start(const Case& values) {
     require_equal_sides(start.sides, box_sides(values), where);
   }
   start.sides = box_sides(values);
+  if (!is_written) require_equal_grains(start.grains, grains_of(values), where);
+  start.grains = grains_of(values);
   reduce_offset(values, start, where);
   if (values.start.granular_temperature) start.velocities.clear();
   const auto is_finite = [](double number) { return std::isfinite(number); };

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "model/grains.hpp"
 
 namespace zenosphere {
 
@@ -19,6 +20,7 @@ struct GivenStart {
   std::vector<double> sides;       ///< D, diameters: those of the box
   double offset = 0;               ///< of the upper image of the box along x, in [-L/2, L/2),
                                    ///< diameters
+  Grains<double> grains{};         ///< what the spheres are
 };
 
 /// The start that a case writes (Arrangement::given) or names (Arrangement::file), checked: right
@@ -29,7 +31,8 @@ struct GivenStart {
 ///
 /// A file is an output file of this program or else extended XYZ; start.snapshot, or the last of
 /// its snapshots or frames, counts. The box that it tells must be that of the case, but for the
-/// Lees-Edwards offset that it had come to: the images stay where they were.
+/// Lees-Edwards offset that it had come to: the images stay where they were. Diameters and masses
+/// that it tells must be those of the case, to 1e-9.
 ///
 /// \param values  a checked case, as read_case gives it, with one of the two arrangements
 /// Throws InputError, which names spheres by their number from 0.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "storage/anatomy_group.hpp"
@@ -45,6 +46,21 @@ void write_provenance(const Handle& file, const OutputHeader& header) {
   hdf5::write_text(own, "resolved", header.resolved_case);
 }
 
+/// What does not change with time: diameters, masses and kinds, where they are not all the same.
+void write_grains(const Handle& group, const OutputHeader& header) {
+  const auto write = [&](const std::string& name, Type type, const auto& values) {
+    if (values.empty()) return;
+    Series(group, name, type, {}, std::clamp<std::int64_t>(header.spheres, 1, 8192)).append(values);
+  };
+  const Grains<double>& grains = header.grains;
+  write("diameter", Type::float64, grains.diameters);
+  write("mass", Type::float64, grains.masses);
+  write("species", Type::int32, grains.kinds);
+  write("immobile", Type::uint8, grains.immobile);
+  if (header.species.empty() || grains.kinds.empty()) return;
+  hdf5::write_attribute(hdf5::opened(group, "species"), "names", header.species);
+}
+
 /// /particles/spheres without its datasets: what H5MD and its readers know.
 void write_particles(const Handle& file, const OutputHeader& header) {
   hdf5::created_group(file, "particles");
@@ -52,6 +68,7 @@ void write_particles(const Handle& file, const OutputHeader& header) {
   const Handle position = hdf5::created_group(group, "position");
   hdf5::created_group(group, "velocity");
   hdf5::created_group(group, "image");
+  if (header.spin_axes > 0) hdf5::created_group(group, "angular_velocity");
   const Handle box = hdf5::created_group(group, "box");
   hdf5::created_group(box, "edges");
   hdf5::write_attribute(box, "dimension", std::int64_t{header.dimension});
@@ -71,10 +88,16 @@ void write_particles(const Handle& file, const OutputHeader& header) {
   create("box/edges/value", Type::float64, {header.dimension, header.dimension});
   create("position/step", Type::int64, {});
   create("position/time", Type::float64, {});
-  for (const std::string element : {"velocity", "image", "box/edges"}) {
+  std::vector<std::string> elements{"velocity", "image", "box/edges"};
+  if (header.spin_axes > 0) {
+    create("angular_velocity/value", Type::float64, {header.spheres, header.spin_axes});
+    elements.emplace_back("angular_velocity");
+  }
+  for (const std::string& element : elements) {
     hdf5::link(group, "position/step", element + "/step");
     hdf5::link(group, "position/time", element + "/time");
   }
+  write_grains(group, header);
 }
 
 void write_log(const Handle& file) {
@@ -94,17 +117,22 @@ void write_log(const Handle& file) {
 
 class Trajectory {
  public:
-  explicit Trajectory(const Handle& file) : group_(hdf5::opened(file, "particles/spheres")) {}
+  explicit Trajectory(const Handle& file) : group_(hdf5::opened(file, "particles/spheres")) {
+    if (!hdf5::contains(group_, "angular_velocity")) return;
+    spin_.emplace(group_, "angular_velocity/value", Type::float64);
+  }
 
   void append(const Snapshot& snapshot) {
-    const bool fits = position_.is_row(snapshot.positions) &&
-                      velocity_.is_row(snapshot.velocities) && image_.is_row(snapshot.images) &&
-                      edges_.is_row(snapshot.box_edges);
+    const bool fits =
+        position_.is_row(snapshot.positions) && velocity_.is_row(snapshot.velocities) &&
+        image_.is_row(snapshot.images) && edges_.is_row(snapshot.box_edges) &&
+        (spin_ ? spin_->is_row(snapshot.angular_velocities) : snapshot.angular_velocities.empty());
     if (!fits) throw hdf5::Error("a snapshot of another system");
     position_.append(snapshot.positions);
     velocity_.append(snapshot.velocities);
     image_.append(snapshot.images);
     edges_.append(snapshot.box_edges);
+    if (spin_) spin_->append(snapshot.angular_velocities);
     step_.append(std::vector{snapshot.step});
     time_.append(std::vector{snapshot.time});
   }
@@ -112,6 +140,7 @@ class Trajectory {
     for (Series* series : {&position_, &velocity_, &image_, &edges_, &step_, &time_}) {
       series->truncate(length);
     }
+    if (spin_) spin_->truncate(length);
   }
   std::int64_t length() const { return step_.length(); }
   int dimension() const { return static_cast<int>(position_.row_shape().at(1)); }
@@ -121,6 +150,7 @@ class Trajectory {
   Series position_{group_, "position/value", Type::float64};
   Series velocity_{group_, "velocity/value", Type::float64};
   Series image_{group_, "image/value", Type::int32};
+  std::optional<Series> spin_;  ///< where spheres turn
   Series edges_{group_, "box/edges/value", Type::float64};
   Series step_{group_, "position/step", Type::int64};
   Series time_{group_, "position/time", Type::float64};

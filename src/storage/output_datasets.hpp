@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collapse/dissection.hpp"
+#include "model/grains.hpp"
 #include "result/summary.hpp"
 #include "storage/records.hpp"
 
@@ -22,6 +23,9 @@ struct OutputHeader {
   int dimension = 0;
   std::int64_t spheres = 0;
   std::vector<std::string> boundary{};  ///< D words, "periodic" or "none"; empty: periodic
+  Grains<double> grains{};              ///< what the spheres are
+  std::vector<std::string> species{};   ///< names of the kinds, in their order; empty: no names
+  int spin_axes = 0;                    ///< components of an angular velocity; 0: nothing turns
 };
 
 /// The HDF5 side of an output: H5MD 1.1, open for writing.

@@ -88,7 +88,10 @@ Snapshot RecordedRun::snapshot(std::int64_t n) const {
         decoded<Snapshot>(snapshots_.at(static_cast<std::size_t>(n - stored_snapshots_)));
     const auto dimension = static_cast<std::size_t>(info().dimension);
     const std::size_t components = static_cast<std::size_t>(info().spheres) * dimension;
+    const std::size_t spins = snapshot.angular_velocities.size();
+    const std::size_t axes = dimension == 3 ? 3 : 1;
     const bool fits =
+        (spins == 0 || spins == static_cast<std::size_t>(info().spheres) * axes) &&
         snapshot.positions.size() == components && snapshot.velocities.size() == components &&
         snapshot.images.size() == components && snapshot.box_edges.size() == dimension * dimension;
     require_archived(fits, "a snapshot of another number of spheres");

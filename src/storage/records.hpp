@@ -18,10 +18,13 @@ struct Snapshot {
   /// N x D: through how many boxes a sphere has come since the start, along the box vectors; empty
   /// where that is not known.
   std::vector<std::int32_t> images{};
+  /// Angular velocities, radians/time: N x 3, in two dimensions N; empty where nothing turns.
+  std::vector<double> angular_velocities{};
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.step, self.time, self.positions, self.velocities, self.box_edges, self.images);
+    archive(self.step, self.time, self.positions, self.velocities, self.box_edges, self.images,
+            self.angular_velocities);
   }
 };
 
@@ -47,6 +50,7 @@ inline constexpr std::uint8_t absorbed = 4;       ///< changed no bit of a veloc
 inline constexpr std::uint8_t receding = 8;       ///< receding by rounding: no impulse
 inline constexpr std::uint8_t clock_stood = 16;   ///< the clock did not move forward
 inline constexpr std::uint8_t made_elastic = 32;  ///< by the TC model
+inline constexpr std::uint8_t sliding = 64;       ///< of rough surfaces: friction was at its limit
 }  // namespace collision_flag
 
 /// Rows of the collision log, column by column as they are stored.

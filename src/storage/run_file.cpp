@@ -69,6 +69,10 @@ RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_st
     if (has_images()) {
       require_shape(file_, spheres_group + "image/value", {snapshots, info_.spheres, dimension});
     }
+    if (spin_components() > 0) {
+      require_shape(file_, spheres_group + "angular_velocity/value",
+                    {snapshots, info_.spheres, spin_components() / info_.spheres});
+    }
     require_shape(file_, spheres_group + "box/edges/value", {snapshots, dimension, dimension});
     require_shape(file_, spheres_group + "position/time", {snapshots});
     for (const std::string name : {"k", "time", "i", "j", "gap", "normal_speed", "flags"}) {
@@ -81,19 +85,24 @@ bool RunFile::has_images() const {
   return hdf5::contains(hdf5::opened(file_, spheres_group), "image");
 }
 
+std::int64_t RunFile::spin_components() const {
+  const bool turns = hdf5::contains(hdf5::opened(file_, spheres_group), "angular_velocity");
+  return turns ? info_.spheres * (info_.dimension == 3 ? 3 : 1) : 0;
+}
+
 Snapshot RunFile::snapshot(std::int64_t n) const {
   const auto held = static_cast<std::int64_t>(block_.steps.size());
   if (n < block_.first || n >= block_.first + held) read_block(n);
   const std::int64_t at = n - block_.first;
   const std::int64_t components = info_.spheres * info_.dimension;
   const auto place = static_cast<std::size_t>(at);
-  return {
-      .step = block_.steps[place],
-      .time = block_.times[place],
-      .positions = row(block_.positions, at, components),
-      .velocities = row(block_.velocities, at, components),
-      .box_edges = row(block_.box_edges, at, info_.dimension * info_.dimension),
-      .images = has_images() ? row(block_.images, at, components) : std::vector<std::int32_t>{}};
+  return {.step = block_.steps[place],
+          .time = block_.times[place],
+          .positions = row(block_.positions, at, components),
+          .velocities = row(block_.velocities, at, components),
+          .box_edges = row(block_.box_edges, at, info_.dimension * info_.dimension),
+          .images = has_images() ? row(block_.images, at, components) : std::vector<std::int32_t>{},
+          .angular_velocities = row(block_.angular_velocities, at, spin_components())};
 }
 
 void RunFile::read_block(std::int64_t first) const {
@@ -115,7 +124,10 @@ void RunFile::read_block(std::int64_t first) const {
         .velocities = read("velocity/value", components),
         .box_edges = read("box/edges/value", info_.dimension * info_.dimension),
         .images = has_images() ? rows_of<std::int32_t>(file_, images, first, count, components)
-                               : Images{}};
+                               : Images{},
+        .angular_velocities = spin_components() > 0
+                                  ? read("angular_velocity/value", spin_components())
+                                  : std::vector<double>{}};
   });
 }
 

@@ -41,9 +41,12 @@ class RunFile {
     std::vector<std::int64_t> steps{};
     std::vector<double> times{}, positions{}, velocities{}, box_edges{};
     std::vector<std::int32_t> images{};
+    std::vector<double> angular_velocities{};
   };
 
   bool has_images() const;  ///< files of earlier programs have none
+  /// Components of all angular velocities of a snapshot; 0 where nothing turns.
+  std::int64_t spin_components() const;
   void read_block(std::int64_t first) const;
 
   std::filesystem::path path_;

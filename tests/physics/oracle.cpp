@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace zenosphere {
 
@@ -15,28 +16,48 @@ long double product(const Triple& a, const Triple& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The textbook root of |dr + dv t| = 1: 64 bits of mantissa leave it 1e-18 of absolute accuracy.
-long double wait_for_contact(const Triple& dr, const Triple& dv) {
+Triple cross(const Triple& a, const Triple& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Triple sum(const Triple& a, long double factor, const Triple& b) {
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+
+/// The textbook root of |dr + dv t| = sigma: 64 bits of mantissa leave it 1e-18 of absolute
+/// accuracy.
+long double wait_for_contact(const Triple& dr, const Triple& dv, long double sigma) {
   const long double b = product(dr, dv);
   const long double v2 = product(dv, dv);
-  const long double discriminant = b * b - v2 * (product(dr, dr) - 1);
+  const long double discriminant = b * b - v2 * (product(dr, dr) - sigma * sigma);
   if (b >= 0 || discriminant < 0) return std::numeric_limits<long double>::infinity();
   return (-b - std::sqrt(discriminant)) / v2;
 }
 
 }  // namespace
 
-Oracle::Oracle(const Vec<3, double>& sides, double shear_rate, double restitution,
+Oracle::Oracle(const Vec<3, double>& sides, double shear_rate, const ContactRules<double>& rules,
                const Configuration<3, double>& start, double offset)
     : sides_{sides[0], sides[1], sides[2]},
       shear_rate_(shear_rate),
-      restitution_(restitution),
+      rules_(rules),
       offset_(offset) {
   for (std::size_t i = 0; i < start.positions.size(); ++i) {
     const auto& r = start.positions[i];
     const auto& v = start.velocities[i];
     positions_.push_back({r[0], r[1], r[2]});
     velocities_.push_back({v[0] + shear_rate_ * (r[1] - sides_[1] / 2), v[1], v[2]});
+    const auto& grains = start.grains;
+    radii_.push_back(grains.diameters.empty() ? 0.5L : grains.diameters[i] / 2.0L);
+    masses_.push_back(grains.masses.empty() ? 1 : grains.masses[i]);
+    if (!grains.immobile.empty() && grains.immobile[i] != 0) {
+      masses_.back() = std::numeric_limits<Real>::infinity();
+    }
+    kinds_.push_back(grains.kinds.empty() ? 0 : grains.kinds[i]);
+    spins_.push_back({});
+    for (std::size_t axis = 0; axis < 3 && !start.spins.empty(); ++axis) {
+      spins_.back()[axis] = start.spins[i].components[axis];
+    }
   }
 }
 
@@ -69,7 +90,7 @@ std::vector<Oracle::Seen> Oracle::images(std::size_t i, std::size_t j) const {
 /// The earliest contact of all, good if it comes within `horizon`.
 ///
 /// An image that is not looked at is at least 3/2 of a side away along some axis, so it cannot
-/// touch before 3/2 side - 1 is flown at the largest relative speed.
+/// touch before 3/2 side - the largest diameter is flown at the largest relative speed.
 Oracle::Contact Oracle::earliest(Real& horizon) const {
   Contact first{std::numeric_limits<Real>::infinity(), 0, 0, {}};
   Real largest_speed = 0;
@@ -77,12 +98,13 @@ Oracle::Contact Oracle::earliest(Real& horizon) const {
     for (std::size_t j = i + 1; j < positions_.size(); ++j) {
       for (const Seen& seen : images(i, j)) {
         largest_speed = std::max(largest_speed, product(seen.dv, seen.dv));
-        const Real wait = wait_for_contact(seen.dr, seen.dv);
+        const Real wait = wait_for_contact(seen.dr, seen.dv, sigma(i, j));
         if (wait < first.wait) first = {wait, i, j, seen};
       }
     }
   }
-  const Real room = *std::min_element(sides_.begin(), sides_.end()) * 1.5L - 1;
+  const Real room = *std::min_element(sides_.begin(), sides_.end()) * 1.5L -
+                    2 * *std::max_element(radii_.begin(), radii_.end());
   horizon = room / std::sqrt(largest_speed);
   return first;
 }
@@ -96,14 +118,38 @@ void Oracle::fly(Real duration) {
   }
 }
 
-/// Reverses the relative velocity along the line of centres and multiplies it by the restitution.
-void Oracle::collide(const Contact& contact) {
-  const Triple& dr = contact.seen.dr;
-  const Real closing = product(dr, contact.seen.dv) / product(dr, dr);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Real half_change = (1 + restitution_) / 2 * closing * dr[axis];
-    velocities_[contact.i][axis] += half_change;
-    velocities_[contact.j][axis] -= half_change;
+/// Reverses the relative velocity along the line of centres and multiplies it by the restitution;
+/// rough surfaces get the impulse that makes their velocity -beta0 of what it was, or as much of it
+/// as friction allows.
+void Oracle::collide(const Contact& contact, Event& event) {
+  const auto [i, j] = std::pair(contact.i, contact.j);
+  const auto constants = rules_.constants(kinds_[i], kinds_[j]);
+  const Real length = std::sqrt(product(contact.seen.dr, contact.seen.dr));
+  const Triple normal = sum({}, 1 / length, contact.seen.dr);
+  const Real inverse = 1 / masses_[i] + 1 / masses_[j];
+  const Real push = (1 + Real(constants.restitution)) * -product(normal, contact.seen.dv) / inverse;
+  Triple impulse = sum({}, push, normal);  // on j
+  const Real q = rules_.inertia.value_or(0.4);
+  if (constants.friction > 0 && constants.tangential_restitution > -1) {
+    // Points of the two surfaces: i's at radius along the normal, j's opposite.
+    const Triple at_i = cross(spins_[i], sum({}, radii_[i], normal));
+    const Triple at_j = cross(spins_[j], sum({}, -radii_[j], normal));
+    Triple slip = sum(sum(contact.seen.dv, 1, at_j), -1, at_i);
+    slip = sum(slip, -product(slip, normal), normal);
+    const Real speed = std::sqrt(product(slip, slip));
+    // An impulse P across the normal changes the slip by P (1/m_i + 1/m_j) (1 + 1/q).
+    const Real wanted =
+        (1 + Real(constants.tangential_restitution)) * speed / (inverse * (1 + 1 / q));
+    const Real rub = std::min(wanted, Real(constants.friction) * push);
+    event.sliding = rub < wanted;
+    if (speed > 0) impulse = sum(impulse, -rub / speed, slip);
+  }
+  velocities_[i] = sum(velocities_[i], -1 / masses_[i], impulse);
+  velocities_[j] = sum(velocities_[j], 1 / masses_[j], impulse);
+  for (const auto& [sphere, sign] : {std::pair{i, -1}, std::pair{j, 1}}) {
+    const Real inertia = q * masses_[sphere] * radii_[sphere] * radii_[sphere];
+    const Triple arm = sum({}, -sign * radii_[sphere], normal);
+    spins_[sphere] = sum(spins_[sphere], sign / inertia, cross(arm, impulse));
   }
 }
 
@@ -122,13 +168,15 @@ Oracle::Event Oracle::next_collision() {
     }
     Event event{static_cast<double>(time_), static_cast<int>(contact.i),
                 static_cast<int>(contact.j),
-                static_cast<double>(-product(contact.seen.dr, contact.seen.dv)), 0};
-    collide(contact);
+                static_cast<double>(-product(contact.seen.dr, contact.seen.dv) /
+                                    sigma(contact.i, contact.j)),
+                0};
+    collide(contact, event);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       contact.seen.dr[axis] -= contact.seen.dv[axis] * (time_ - time_before);
     }
-    event.gap_before =
-        static_cast<double>(std::sqrt(product(contact.seen.dr, contact.seen.dr)) - 1);
+    event.gap_before = static_cast<double>(
+        std::sqrt(product(contact.seen.dr, contact.seen.dr)) / sigma(contact.i, contact.j) - 1);
     return event;
   }
   throw std::runtime_error("no collision for long");

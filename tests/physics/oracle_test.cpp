@@ -48,7 +48,7 @@ Gas displaced_gas_of(const Flow& flow, std::uint64_t seed, double cell_width, do
 /// Starts the oracle from where the gas is now and compares `collisions` of them, one by one.
 void expect_same_collisions(Gas& gas, int collisions, double tolerance) {
   const Vector sides = gas.box().sides();
-  Oracle oracle(sides, gas.box().shear_rate(), gas.rules().restitution, gas.configuration(),
+  Oracle oracle(sides, gas.box().shear_rate(), gas.rules(), gas.configuration(),
                 gas.lees_edwards_offset());
   const Instant<double> start = gas.now();
   for (int n = 0; n < collisions; ++n) {
@@ -84,7 +84,7 @@ TEST(Oracle, IsRightAboutTwoSpheresHeadOn) {
   // Surfaces 3 apart, closing speed 2: contact after 1.5. With restitution 1/2 they part at 1;
   // the other way round the box of 10 they have 10 - 1 - 1 = 8 to go: contact at 1.5 + 8 = 9.5.
   const State start{{{2, 5, 5}, {6, 5, 5}}, {{1, 0, 0}, {-1, 0, 0}}};
-  Oracle oracle({10, 10, 10}, 0, 0.5, start, 0);
+  Oracle oracle({10, 10, 10}, 0, {0.5}, start, 0);
   const Oracle::Event first = oracle.next_collision();
   EXPECT_NEAR(first.time, 1.5, 1e-15);
   EXPECT_NEAR(first.normal_speed, 2, 1e-15);
@@ -99,7 +99,7 @@ TEST(Oracle, IsRightAboutTheImageBeyondTheGradientFace) {
   // lower image of sphere 1 lies at y = -0.3: 0.5 below sphere 0, so it meets with dx = sqrt(0.75).
   // It starts 2 ahead of sphere 0 and comes back at 0.5 x shear rate: time (2 - sqrt(0.75)) / 0.5.
   const State start{{{1, 0.2, 3}, {3, 5.7, 3}}, {{0, 0, 0}, {0, 0, 0}}};
-  Oracle oracle({6, 6, 6}, 1, 1, start, 0);
+  Oracle oracle({6, 6, 6}, 1, {1.0}, start, 0);
   EXPECT_NEAR(oracle.next_collision().time, (2 - std::sqrt(0.75)) / 0.5, 1e-14);
 }
 

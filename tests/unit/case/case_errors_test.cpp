@@ -199,11 +199,11 @@ TEST(CaseErrors, BoxMustBeWiderThanTwoDiameters) {
   EXPECT_EQ(objection(random, "system.spheres=5"), "");
 }
 
-TEST(CaseErrors, RandomArrangementFillsAtMostHalf) {
+TEST(CaseErrors, RandomArrangementFillsNoMoreThanGrowthReaches) {
   const std::string random = replaced(cooling_case, "\"fcc\"", "\"random\"");
-  EXPECT_EQ(objection(random, "system.solids_volume_fraction=0.5"), "");
-  EXPECT_EQ(objection(random, "system.solids_volume_fraction=0.51"),
-            "system.solids_volume_fraction = 0.51 (must be in (0, 0.5] for start.arrangement = "
+  EXPECT_EQ(objection(random, "system.solids_volume_fraction=0.64"), "");
+  EXPECT_EQ(objection(random, "system.solids_volume_fraction=0.65"),
+            "system.solids_volume_fraction = 0.65 (must be in (0, 0.64] for start.arrangement = "
             "\"random\")");
 }
 

@@ -112,8 +112,8 @@ TEST(CaseSystems, SidesFitTheDimensionAndTheSpheres) {
 TEST(CaseSystems, FractionHasALimitForEachDimension) {
   const std::string plane = in_plane(cooling_case);
   EXPECT_EQ(objection(plane, "system.solids_volume_fraction=0.6"), "");
-  EXPECT_EQ(objection(plane, "system.solids_volume_fraction=0.61"),
-            "system.solids_volume_fraction = 0.61 (must be in (0, 0.6] for start.arrangement = "
+  EXPECT_EQ(objection(plane, "system.solids_volume_fraction=0.86"),
+            "system.solids_volume_fraction = 0.86 (must be in (0, 0.85] for start.arrangement = "
             "\"random\")");
   EXPECT_EQ(objection(plane, "system.solids_volume_fraction=0.92"),
             "system.solids_volume_fraction = 0.92 (must be in (0, 0.90689]; disks cannot be packed "

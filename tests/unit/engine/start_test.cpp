@@ -64,6 +64,10 @@ State random_start(std::uint64_t seed) {
   return make_start<3>({Arrangement::random, 60, 1, seed}, support::cube(box_side<3>(60, 0.3)));
 }
 
+State dense_start(std::uint64_t seed) {
+  return make_start<3>({Arrangement::random, 60, 1, seed}, support::cube(box_side<3>(60, 0.6)));
+}
+
 TEST(BoxSide, IsTheCubeRootOfTheVolume) {
   // 4000 spheres at 0.3: L^3 = 4000 pi / 1.8 = 6981.3170, L = 19.112278.
   EXPECT_NEAR(box_side<3>(4000, 0.3), 19.112278, 5e-7);
@@ -114,6 +118,26 @@ TEST(RandomStart, WorksInTheSmallestBox) {
   EXPECT_GE(closest_distance(start, 2.1), 1 - 1e-14);
 }
 
+TEST(RandomStart, GrowsWhereItIsDenser) {
+  const double side = box_side<3>(100, 0.62);
+  const State start = make_start<3>({Arrangement::random, 100, 1, 2}, support::cube(side));
+  expect_inside(start, side);
+  EXPECT_GE(closest_distance(start, side), 1);
+}
+
+TEST(FccStart, PutsSpheresOfDifferentDiametersInRandomOrderWhereTheyFit) {
+  // Neighbours are 1.3514 apart: 1.3 and 1.4 fit beside each other, two of 1.4 do not.
+  std::vector<double> diameters(108, 1.0);
+  diameters[0] = 1.4;
+  diameters[1] = 1.3;
+  const auto cube = support::cube(box_side<3>(108, 0.3));
+  const State start = make_start<3>({Arrangement::fcc, 108, 1, 1, {diameters}}, cube);
+  EXPECT_NE(start.positions, fcc_start(1).positions);
+  std::fill(diameters.begin(), diameters.end(), 1.4);
+  EXPECT_THROW(make_start<3>({Arrangement::fcc, 108, 1, 1, {diameters}}, cube),
+               std::invalid_argument);
+}
+
 TEST(RandomStart, FailsWhereOverlapsCannotBeRemoved) {
   // 0.76 is above the closest packing of spheres, pi / sqrt(18) = 0.7405.
   EXPECT_THROW(make_start<3>({Arrangement::random, 30, 1, 2}, support::cube(box_side<3>(30, 0.76))),
@@ -136,6 +160,29 @@ TEST(Start, HasZeroMomentumAndTheWantedTemperature) {
   }
 }
 
+TEST(Start, SharesTheTemperatureByMassAndLeavesImmobileSpheresAtRest) {
+  Grains<double> grains;
+  grains.masses.assign(300, 1);
+  std::fill(grains.masses.begin(), grains.masses.begin() + 150, 100.0);
+  grains.immobile.assign(300, 0);
+  grains.immobile[3] = 1;
+  Random random(1);
+  const auto velocities = thermal_velocities<3>(300, 2, random, grains);
+  Vector momentum;
+  double heavy = 0;
+  double light = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    if (i == 3) continue;
+    momentum += velocities[i] * grains.masses[i];
+    (i < 150 ? heavy : light) += grains.masses[i] * dot(velocities[i], velocities[i]);
+  }
+  EXPECT_EQ(dot(velocities[3], velocities[3]), 0);
+  EXPECT_NEAR((heavy + light) / 3 / 299, 2, 1e-13);
+  // 450 components each: their variances differ by less than five times sqrt(2 * 2 / 450).
+  EXPECT_NEAR(heavy / light, 149.0 / 150, 5 * 0.094);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(momentum[axis], 0, 1e-10);
+}
+
 TEST(Start, ColdSpheresAreAtRest) {
   const State start = make_start<3>({Arrangement::fcc, 32, 0, 1}, support::cube(6));
   for (const Vector& velocity : start.velocities) EXPECT_EQ(dot(velocity, velocity), 0);
@@ -146,6 +193,7 @@ TEST(Start, IsTheSameBitsForTheSameSeedOnEveryMachine) {
   // older case files cannot be repeated any more: that needs a line in the change log.
   EXPECT_EQ(hash_of(fcc_start(1)), 2887323448742501787u);
   EXPECT_EQ(hash_of(random_start(1)), 6756523806625830589u);
+  EXPECT_EQ(hash_of(dense_start(1)), 0u);
 }
 
 TEST(Start, OfAnotherSeedDiffers) {

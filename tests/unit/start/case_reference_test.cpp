@@ -49,8 +49,18 @@ TEST(CaseReference, SecondExampleIsABouncingBallThatHitsTheFloorAtUnitSpeed) {
   EXPECT_EQ(-2 * values.gravity.acceleration[0] * height, 1);  // v^2 = 2 G h
 }
 
+TEST(CaseReference, ThirdExampleIsAMixtureOfTwoKinds) {
+  const Case values = parse_case(example(2), "docs/case-file.md", {});
+  EXPECT_NO_THROW(derived_text(values));
+  ASSERT_EQ(values.species.size(), 2u);
+  EXPECT_EQ(values.species[1].diameter, 1.4);
+  EXPECT_EQ(values.contacts.size(), 1u);
+  EXPECT_EQ(values.polydispersity.spread, 0.05);
+  EXPECT_EQ(values.collision.friction->coefficient, 0.3);
+}
+
 TEST(CaseReference, ExamplesShowEveryTable) {
-  const std::string examples = example(0) + example(1);
+  const std::string examples = example(0) + example(1) + example(2);
   for (const auto& key : case_format::keys()) {
     EXPECT_NE(examples.find(fmt::format("[{}]\n", key.table)), std::string::npos) << key.table;
   }

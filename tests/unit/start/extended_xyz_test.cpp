@@ -146,28 +146,38 @@ TEST_F(ExtendedXyz, MomentaBesideVelocitiesMustRepeatThem) {
   EXPECT_EQ(problem_of(both + "A 1 1 0 1 0.5 0 1 0.5 0\nA 4 1 0 0 0 0 0 0 0\n"), "");
   EXPECT_EQ(given_start(case_with()).velocities, (std::vector<double>{1, 0.5, 0, 0}));
   EXPECT_EQ(problem_of(both + "A 1 1 0 1 0.5 0 2 1 0\nA 4 1 0 0 0 0 0 0 0\n"),
-            "start:3: momentum 2 beside velo 1 (they are equal: mass is the unit); keep one");
+            "start:3: momentum 2 beside velo 1 (the mass is 1); keep one");
   EXPECT_EQ(problem_of(replaced(both, "momenta:R:3", "momenta:R:2") +
                        "A 1 1 0 1 0.5 0 1 0.5\nA 4 1 0 0 0 0 0 0\n"),
             "start:2: Properties has momenta of 2 columns (must be 3, as of velo)");
 }
 
-TEST_F(ExtendedXyz, RadiusDiameterAndMassAreThoseOfAUnitSphere) {
+TEST_F(ExtendedXyz, RadiusDiameterAndMassAreThoseOfTheCase) {
   const auto with = [](const std::string& name, const std::string& value) {
     return replaced(xyz_header, "velo:R:3", "velo:R:3:" + name + ":R:1") + "A 1 1 0 1 0.5 0 " +
            value + "\nA 4 1 0 0 0 0 " + value + "\n";
   };
   EXPECT_EQ(problem_of(with("radius", "0.5")), "");
   EXPECT_EQ(problem_of(with("masses", "1.0")), "");
+  const std::string advice = "; give the file in the units of the case, and the case its species";
   EXPECT_EQ(problem_of(with("radius", "1")),
-            "start:3: radius = 1 (spheres have 0.5: diameter and mass are the units); give the "
-            "file in them");
+            "start: sphere 0 has the diameter 2 (in the case it has 1)" + advice);
   EXPECT_EQ(problem_of(with("Diameter", "2")),
-            "start:3: diameter = 2 (spheres have 1: diameter and mass are the units); give the "
-            "file in them");
+            "start: sphere 0 has the diameter 2 (in the case it has 1)" + advice);
   EXPECT_EQ(problem_of(with("mass", "1.008")),
-            "start:3: mass = 1.008 (spheres have 1: diameter and mass are the units); give the "
-            "file in them");
+            "start: sphere 0 has the mass 1.008 (in the case it has 1)" + advice);
+  EXPECT_EQ(problem_of(with("mass", "0")), "start:3: mass is 0 (must be > 0)");
+}
+
+TEST_F(ExtendedXyz, MomentaOfSpheresWithMassesAreDivided) {
+  write(replaced(xyz_header, "velo:R:3", "momenta:R:3:mass:R:1:radius:R:1") +
+        "A 1 1 0 4 2 0 4 0.5\nA 4 1 0 0 0 0 4 0.5\n");
+  const std::string heavy = "\n[[species]]\nname = \"heavy\"\ndiameter = 1\nmass = 4\n";
+  const Case values =
+      overridden(planar_case + heavy, {"start.arrangement=file", "start.file=" + file.string()});
+  const GivenStart start = given_start(values);
+  EXPECT_EQ(start.velocities, (std::vector<double>{1, 0.5, 0, 0}));
+  EXPECT_EQ(start.grains.masses, (std::vector<double>{4, 4}));
 }
 
 TEST_F(ExtendedXyz, MomentaAreVelocitiesWhereTheMassIsKnownToBeOne) {

@@ -1,4 +1,4 @@
-#include "engine/contact_physics.hpp"
+#include "engine/contact_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,20 +12,25 @@ namespace {
 
 using support::Dice;
 
-/// A collision of spheres i and j of a relative velocity dv, with the constant restitution done.
+/// Spheres i and j about to touch.
 template <int Dim>
-Collision<Dim, double> contact_of(std::int32_t i, std::int32_t j, const Vec<Dim, double>& dv,
-                                  double restitution, double time = 0) {
+Collision<Dim, double> contact_of(std::int32_t i, std::int32_t j, double time = 0) {
   Collision<Dim, double> collision;
   collision.i = i;
   collision.j = j;
   collision.time = {0, time};
-  Vec<Dim, double> dr;
-  dr[0] = 1;
-  collision.impact = impact(RelativeMotion<Dim, double>{dr, dv}, restitution);
-  collision.change = collision.impact.normal * -collision.impact.impulse;
   return collision;
 }
+
+/// Unit spheres, the normal along x.
+template <int Dim>
+RelativeMotion<Dim, double> motion_of(const Vec<Dim, double>& dv) {
+  Vec<Dim, double> dr;
+  dr[0] = 1;
+  return {dr, dv};
+}
+
+const Grains<double> alike;
 
 /// Impulse over closing speed, doubled, less one: the restitution that was used.
 double restitution_of(const Collision<1, double>& collision) {
@@ -36,13 +41,13 @@ class ContactDuration : public testing::Test {
  protected:
   /// The restitution of a collision of i and j at a time; without the TC model it is 0.2.
   double meet(std::int32_t i, std::int32_t j, double time) {
-    auto collision = contact_of<1>(i, j, {{-1.0}}, 0.2, time);
-    physics.amend(collision, {{-1.0}});
+    auto collision = contact_of<1>(i, j, time);
+    law.collide(collision, motion_of<1>({{-1.0}}), {alike});
     made_elastic = collision.made_elastic;
     return restitution_of(collision);
   }
 
-  ContactPhysics<1, double> physics{{.contact_duration = 0.125}, 0.2, 4, 1.0};
+  ContactLaw<1, double> law{{.restitution = 0.2, .models = {.contact_duration = 0.125}}, 4, 1.0};
   bool made_elastic = false;
 };
 
@@ -51,9 +56,9 @@ TEST_F(ContactDuration, MakesACollisionElasticIfEitherPartnerHasJustCollided) {
   EXPECT_DOUBLE_EQ(meet(0, 2, 0.3), 1);  // 2 met at 0.25, 0 never
   EXPECT_TRUE(made_elastic);
   EXPECT_DOUBLE_EQ(meet(1, 3, 0.31), 1);  // 1 met at 0.25, 3 never
-  EXPECT_EQ(physics.counts().made_elastic, 2);
-  EXPECT_EQ(physics.counts().collisions, 3);
-  EXPECT_DOUBLE_EQ(physics.counts().mean_restitution, 2.2 / 3);
+  EXPECT_EQ(law.counts().made_elastic, 2);
+  EXPECT_EQ(law.counts().collisions, 3);
+  EXPECT_DOUBLE_EQ(law.counts().mean_restitution, 2.2 / 3);
 }
 
 TEST_F(ContactDuration, IsOverAfterExactlyItsTime) {
@@ -70,47 +75,48 @@ TEST_F(ContactDuration, HoldsForAClockThatStandsOrGoesBack) {
 }
 
 TEST_F(ContactDuration, CountsABounceOffAWallAsACollision) {
-  auto bounce = contact_of<1>(0, 4, {{-1.0}}, 0.2, 0.25);
-  Walls<double> walls{.restitution = 0.5};
-  physics.amend(bounce, walls);
-  EXPECT_EQ(walls.restitution, 0.5);
+  auto bounce = contact_of<1>(0, 4, 0.25);
+  const Walls<double> walls{.restitution = 0.5};
+  law.bounce(bounce, walls, 1, {{1.0}}, {alike});
+  EXPECT_EQ(bounce.change[0], -1.5);
+  EXPECT_FALSE(bounce.made_elastic);
   EXPECT_DOUBLE_EQ(meet(0, 1, 0.26), 1);
   bounce.time.remainder = 0.27;
-  physics.amend(bounce, walls);
-  EXPECT_EQ(walls.restitution, 1);
+  law.bounce(bounce, walls, 1, {{1.0}}, {alike});
+  EXPECT_EQ(bounce.change[0], -2);
   EXPECT_TRUE(bounce.made_elastic);
 }
 
-TEST(ContactPhysics, LeavesAPairThatRecedesByRoundingAlone) {
-  ContactPhysics<2, double> physics({.rotation_angle = 0.1}, 0.2, 2, 1.0);
-  auto collision = contact_of<2>(0, 1, {{1e-17, 1.0}}, 0.2);
-  physics.amend(collision, {{1e-17, 1.0}});
+TEST(ContactLaw, LeavesAPairThatRecedesByRoundingAlone) {
+  ContactLaw<2, double> law({.restitution = 0.2, .models = {.rotation_angle = 0.1}}, 2, 1.0);
+  auto collision = contact_of<2>(0, 1);
+  law.collide(collision, motion_of<2>({{1e-17, 1.0}}), {alike});
   EXPECT_EQ(collision.impact.impulse, 0);
-  EXPECT_EQ(physics.counts().collisions, 0);
+  EXPECT_EQ(law.counts().collisions, 0);
 }
 
-TEST(ContactPhysics, CountsTheRestitutionThatWasUsed) {
-  const ViscoelasticRestitution<double> law(0.3);
-  ContactPhysics<1, double> physics({.viscoelastic = law}, 0, 2, 1.0);
-  auto collision = contact_of<1>(0, 1, {{-0.5}}, 0);
-  physics.amend(collision, {{-0.5}});
-  EXPECT_DOUBLE_EQ(restitution_of(collision), law(0.5));
-  EXPECT_DOUBLE_EQ(physics.counts().mean_restitution, law(0.5));
+TEST(ContactLaw, CountsTheRestitutionThatWasUsed) {
+  const ViscoelasticRestitution<double> restitution(0.3);
+  ContactLaw<1, double> law({.restitution = 0, .models = {.viscoelastic = restitution}}, 2, 1.0);
+  auto collision = contact_of<1>(0, 1);
+  law.collide(collision, motion_of<1>({{-0.5}}), {alike});
+  EXPECT_DOUBLE_EQ(restitution_of(collision), restitution(0.5));
+  EXPECT_DOUBLE_EQ(law.counts().mean_restitution, restitution(0.5));
 }
 
 /// Kinetic energy of the relative motion of two unit masses.
 double energy(const Vec<3, double>& dv) { return dot(dv, dv) / 4; }
 
 TEST(FixedLoss, IsTakenFromTheNormalMotionAlone) {
-  const FixedLossRestitution<double> law(0.25);
-  ContactPhysics<3, double> physics({.fixed_loss = law}, 0, 2, 1.0);
+  const FixedLossRestitution<double> restitution(0.25);
+  ContactLaw<3, double> law({.restitution = 0, .models = {.fixed_loss = restitution}}, 2, 1.0);
   Dice dice(5);
   int energetic = 0;
   for (int n = 0; n < 2000; ++n) {
     const Vec<3, double> dv{
         {-dice.between(0, 3), dice.between(-9, 9), dice.between(-9, 9)}};  // the normal is along x
-    auto collision = contact_of<3>(0, 1, dv, 0);
-    physics.amend(collision, dv);
+    auto collision = contact_of<3>(0, 1);
+    law.collide(collision, motion_of<3>(dv), {alike});
     const auto after = dv - collision.change * 2.0;  // each sphere takes half of it
     const bool loses = dv[0] < -1;                   // dv^2/4 > 0.25
     EXPECT_NEAR(energy(dv) - energy(after), loses ? 0.25 : 0, 2e-14) << dv[0];
@@ -123,15 +129,16 @@ TEST(FixedLoss, IsTakenFromTheNormalMotionAlone) {
 }
 
 TEST(FixedLoss, IsNotTakenFromAContactThatLasts) {
-  const FixedLossRestitution<double> law(0.0625);
-  ContactPhysics<1, double> physics({.fixed_loss = law, .contact_duration = 1}, 0, 3, 1.0);
-  auto first = contact_of<1>(0, 1, {{-1.0}}, 0, 5);
-  physics.amend(first, {{-1.0}});
+  const FixedLossRestitution<double> restitution(0.0625);
+  ContactLaw<1, double> law(
+      {.restitution = 0, .models = {.fixed_loss = restitution, .contact_duration = 1}}, 3, 1.0);
+  auto first = contact_of<1>(0, 1, 5);
+  law.collide(first, motion_of<1>({{-1.0}}), {alike});
   EXPECT_DOUBLE_EQ(restitution_of(first), std::sqrt(0.75));
-  auto second = contact_of<1>(1, 2, {{-1.0}}, 0, 5.5);
-  physics.amend(second, {{-1.0}});
+  auto second = contact_of<1>(1, 2, 5.5);
+  law.collide(second, motion_of<1>({{-1.0}}), {alike});
   EXPECT_DOUBLE_EQ(restitution_of(second), 1);
-  EXPECT_DOUBLE_EQ(physics.counts().mean_restitution, (1 + std::sqrt(0.75)) / 2);
+  EXPECT_DOUBLE_EQ(law.counts().mean_restitution, (1 + std::sqrt(0.75)) / 2);
 }
 
 /// Relative velocities after collisions at random directions, without and with the rotation.
@@ -141,19 +148,21 @@ struct Turned {
 };
 template <int Dim>
 std::vector<Turned<Dim>> turned_velocities(double most, double restitution, int count) {
-  ContactPhysics<Dim, double> physics({.rotation_angle = most, .seed = 3}, restitution, 2, 1.0);
+  ContactLaw<Dim, double> law(
+      {.restitution = restitution, .models = {.rotation_angle = most, .seed = 3}}, 2, 1.0);
   Dice dice(7);
   std::vector<Turned<Dim>> turned;
   for (int n = 0; n < count; ++n) {
     Vec<Dim, double> dv;
     for (int axis = 0; axis < Dim; ++axis) dv[axis] = dice.between(-1, 1);
     dv[0] = -std::abs(dv[0]);
-    auto collision = contact_of<Dim>(0, 1, dv, restitution);
-    const auto plain = dv - collision.change * 2.0;
-    physics.amend(collision, dv);
+    auto collision = contact_of<Dim>(0, 1);
+    const auto smooth = impact(motion_of<Dim>(dv), restitution);
+    const auto plain = dv + smooth.normal * (2 * smooth.impulse);
+    law.collide(collision, motion_of<Dim>(dv), {alike});
     turned.push_back({plain, dv - collision.change * 2.0});
   }
-  EXPECT_EQ(physics.counts().rotated, count);
+  EXPECT_EQ(law.counts().rotated, count);
   return turned;
 }
 
@@ -225,12 +234,11 @@ TEST(Rotation, IsTheSameForTheSameSeed) {
 }
 
 TEST(Rotation, OfAPairWithoutRelativeVelocityDoesNothing) {
-  ContactPhysics<3, double> physics({.rotation_angle = 0.1}, 0, 2, 1.0);
-  auto collision = contact_of<3>(0, 1, {{-1.0, 0.0, 0.0}}, 0);  // perfectly inelastic, head on
-  const auto plain = collision.change;
-  physics.amend(collision, {{-1.0, 0.0, 0.0}});
-  EXPECT_EQ(collision.change, plain);
-  EXPECT_EQ(physics.counts().rotated, 0);
+  ContactLaw<3, double> law({.restitution = 0, .models = {.rotation_angle = 0.1}}, 2, 1.0);
+  auto collision = contact_of<3>(0, 1);  // perfectly inelastic, head on
+  law.collide(collision, motion_of<3>({{-1.0, 0.0, 0.0}}), {alike});
+  EXPECT_EQ(collision.change, (Vec<3, double>{{-0.5, 0.0, 0.0}}));
+  EXPECT_EQ(law.counts().rotated, 0);
 }
 
 }  // namespace

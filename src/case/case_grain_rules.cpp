@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/case_grains.hpp"
+#include "case/case_rules.hpp"
+
+namespace zenosphere::case_format {
+namespace {
+
+using Objection = std::optional<std::string>;
+
+bool are_different(const Case& values) {
+  return !values.species.empty() || values.polydispersity.spread > 0;
+}
+
+bool has_immobile(const Case& values) {
+  return std::any_of(values.species.begin(), values.species.end(),
+                     [](const Species& species) { return species.immobile; });
+}
+
+Objection friction_alone(const Case& values) {
+  const auto& collision = values.collision;
+  if (!collision.friction || collision.tangential_restitution) return std::nullopt;
+  return "(needs collision.tangential_restitution too); add it, or remove this";
+}
+
+Objection tangential_restitution_alone(const Case& values) {
+  const auto& collision = values.collision;
+  if (!collision.tangential_restitution || collision.friction) return std::nullopt;
+  return "(needs collision.friction too, maybe \"unbounded\"); add it, or remove this";
+}
+
+Objection law_of_equal_spheres(const Case& values) {
+  if (values.collision.restitution_law == RestitutionLaw::constant) return std::nullopt;
+  if (!are_different(values) && !is_rough(values)) return std::nullopt;
+  return "(only for smooth unit spheres of one kind in this version); use \"constant\"";
+}
+
+Objection rotation_of_rough_spheres(const Case& values) {
+  if (values.collision.rotation_angle == 0 || !is_rough(values)) return std::nullopt;
+  return "(not together with friction); remove one of the two";
+}
+
+Objection immobile_under_shear(const Case& values) {
+  if (values.drive.kind != DriveKind::shear || !has_immobile(values)) return std::nullopt;
+  return "(an immobile species would cut through the sliding images of the box); shear by immobile "
+         "spheres that move or by [walls]";
+}
+
+Objection immobile_under_gravity(const Case& values) {
+  const auto pulls = [](double component) { return component != 0; };
+  const auto& acceleration = values.gravity.acceleration;
+  if (!has_immobile(values) || std::none_of(acceleration.begin(), acceleration.end(), pulls)) {
+    return std::nullopt;
+  }
+  return "(not together with an immobile species in this version); remove one of the two";
+}
+
+}  // namespace
+
+std::optional<std::string> spread_objection(const Case& values) {
+  const auto& polydispersity = values.polydispersity;
+  if (!polydispersity.distribution) return std::nullopt;
+  const double largest = largest_spread(*polydispersity.distribution);
+  if (polydispersity.spread <= largest) return std::nullopt;
+  return fmt::format("(must be in [0, {}]; some diameters would not be positive)", largest);
+}
+
+std::span<const Rule> grain_rules() {
+  static const std::vector<Rule> rules{
+      {{"polydispersity.spread", "polydispersity.distribution"}, spread_objection},
+      {{"collision.friction", "collision.tangential_restitution"}, friction_alone},
+      {{"collision.tangential_restitution", "collision.friction"}, tangential_restitution_alone},
+      {{"collision.restitution_law", "collision.friction", "polydispersity.spread"},
+       law_of_equal_spheres},
+      {{"collision.rotation_angle", "collision.friction"}, rotation_of_rough_spheres},
+      {{"drive.kind"}, immobile_under_shear},
+      {{"gravity.acceleration"}, immobile_under_gravity}};
+  return rules;
+}
+
+}  // namespace zenosphere::case_format

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "case/case.hpp"
+#include "model/grains.hpp"
+
+namespace zenosphere {
+
+/// Largest spread of a distribution whose diameters are all positive, and lie in no longer tail
+/// than it describes: 1/sqrt(3) for the uniform one, a third of its cut for the normal one, 1 for
+/// the lognormal one.
+double largest_spread(SizeDistribution distribution);
+
+/// Whether spheres are rough, all or in some pairs: then they turn.
+bool is_rough(const Case& values);
+
+/// Number of spheres of each species, in their order; they add up to system.spheres. Shares are
+/// rounded down, and those that lose most get one of the spheres left over.
+///
+/// \param values  with at least one species
+std::vector<std::int64_t> spheres_by_species(const Case& values);
+
+/// What the spheres of a case are: those of the first species first, with diameters drawn from
+/// start.seed where they are polydisperse. All empty for unit spheres of one kind.
+///
+/// The same bits on every machine. A normal distribution is cut off at three of its standard
+/// deviations on both sides, which is made up for: `spread` is that of what is left.
+Grains<double> grains_of(const Case& values);
+
+/// What follows from the diameters of all spheres.
+Sizes sizes_of(const Case& values);
+
+}  // namespace zenosphere
