@@ -44,7 +44,7 @@ struct SpeciesContact {
 };
 
 /// What the rules about the box need to know of the diameters of all spheres.
-struct Sizes {
+struct SizeSummary {
   double mean_power = 1;  ///< mean of diameter^D
   double smallest = 1;
   double largest = 1;
@@ -63,7 +63,7 @@ struct Case {
     double solids_volume_fraction = 0;  ///< of the box; 0 where `sides` are given
     double aspect_ratio = 1;            ///< side along x / each other side
     std::vector<double> sides{};        ///< D sides; empty: from the two keys above
-    Sizes sizes{};                      ///< no key: what follows from species and their spread
+    SizeSummary sizes{};                ///< no key: what follows from species and their spread
   } system;
   std::vector<Species> species{};          ///< empty: unit spheres of one kind
   std::vector<SpeciesContact> contacts{};  ///< no two of the same pair

@@ -144,10 +144,10 @@ Grains<double> grains_of(const Case& values) {
   return grains;
 }
 
-Sizes sizes_of(const Case& values) {
+SizeSummary sizes_of(const Case& values) {
   const Grains<double> grains = grains_of(values);
   if (grains.diameters.empty()) return {};
-  Sizes sizes{0, grains.diameters.front(), 0};
+  SizeSummary sizes{0, grains.diameters.front(), 0};
   for (const double diameter : grains.diameters) {
     sizes.mean_power += power_of(diameter, values.system.dimension);
     sizes.smallest = std::min(sizes.smallest, diameter);

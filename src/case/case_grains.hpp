@@ -30,6 +30,6 @@ std::vector<std::int64_t> spheres_by_species(const Case& values);
 Grains<double> grains_of(const Case& values);
 
 /// What follows from the diameters of all spheres.
-Sizes sizes_of(const Case& values);
+SizeSummary sizes_of(const Case& values);
 
 }  // namespace zenosphere

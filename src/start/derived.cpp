@@ -129,7 +129,7 @@ void add_species(const Case& values, Lines& lines) {
                           species.immobile ? "immobile" : fmt::format("mass {:.8g}", mass)),
               "");
   }
-  const Sizes& sizes = values.system.sizes;
+  const SizeSummary& sizes = values.system.sizes;
   if (sizes.smallest == sizes.largest) return;
   lines.add("smallest and largest diameter",
             fmt::format("{:.8g}, {:.8g}", sizes.smallest, sizes.largest), "");
