@@ -8,6 +8,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from .analysis.command import add_analyse
+from .command_parser import CommandParser
 from .cooling_figure import draw_cooling
 from .ensemble import Ensemble
 from .ensemble_figures import draw_ensemble
@@ -109,8 +110,8 @@ def _ensemble(options):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog=os.environ.get("ZENOSPHERE_COMMAND", "python3 -m zenosphere"), description=sys.modules[
-        "zenosphere"].__doc__)
+    parser = CommandParser(prog=os.environ.get("ZENOSPHERE_COMMAND", "python3 -m zenosphere"),
+                           description=sys.modules["zenosphere"].__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
     figures = commands.add_parser("figures", help="draw the figures of runs")

@@ -212,7 +212,7 @@ class CollisionLog:
 
 def _opened(path):
     if not path.is_file():
-        raise InputError(f"{path}: no such file (looked in {Path.cwd()}); check the path")
+        raise InputError(f"{path}: does not exist; name an output file of a run")
     try:
         if not h5py.is_hdf5(path):
             raise InputError(f"{path}: not an HDF5 file (begins with {_beginning(path)!r});"

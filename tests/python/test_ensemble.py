@@ -161,7 +161,7 @@ def test_what_is_no_store_is_refused(tmp_path, capsys):
     with sqlite3.connect(tmp_path / "other") as other:
         other.execute("CREATE TABLE sweep (format_version, seeds, program_version)")
         other.execute("INSERT INTO sweep VALUES (7, 1, '')")
-    for name, reason in (("missing", "no such file"), ("text", "is not the store of a sweep"),
+    for name, reason in (("missing", "does not exist; name the store"), ("text", "is not the store of a sweep"),
                          ("other", "format version 7")):
         assert main(["ensemble", str(tmp_path / name)]) == 2
         assert reason in capsys.readouterr().err

@@ -121,6 +121,7 @@ def test_python_of_the_page_runs_from_its_first_line_to_its_last(tmp_path):
     done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, check=True,
                           capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
     assert done.stdout and done.stderr == ""
+    assert "nan" not in done.stdout
 
 
 def test_console_command_says_what_to_do_without_the_program(tmp_path, monkeypatch, capfd):

@@ -40,7 +40,7 @@ def test_window_outside_the_log_reads_nothing(written):
 
 
 def test_missing_file_is_named(tmp_path):
-    assert "nowhere.h5: no such file" in message(tmp_path / "nowhere.h5")
+    assert "nowhere.h5: does not exist" in message(tmp_path / "nowhere.h5")
 
 
 def test_text_file_is_not_hdf5(tmp_path):
