@@ -129,8 +129,8 @@ def _counts(quantity, rows, resolution):
 
 
 def _place_name(which):
-    return "Collisions of the cluster, from " + (
-        "the first hit on" if which == "hit" else "where the clock stopped")
+    return "Collisions of the cluster, counted from " + (
+        "the first hit" if which == "hit" else "where the clock stopped")
 
 
 def _measured(found, quantity, rows):
