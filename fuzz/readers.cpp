@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "campaign/run_case.hpp"
+#include "case/case_file.hpp"
+#include "case/case_tree.hpp"
 #include "fuzz/memory_file.hpp"
-#include "io/case_file.hpp"
-#include "io/case_tree.hpp"
-#include "io/derived.hpp"
-#include "io/info.hpp"
-#include "io/integrity.hpp"
-#include "io/output_reader.hpp"
-#include "io/rehearsal.hpp"
-#include "io/run_file.hpp"
-#include "io/start_file.hpp"
-#include "io/summary.hpp"
 #include "model/errors.hpp"
+#include "result/summary.hpp"
+#include "start/derived.hpp"
+#include "start/start_file.hpp"
+#include "storage/info.hpp"
+#include "storage/integrity.hpp"
+#include "storage/output_reader.hpp"
+#include "storage/rehearsal.hpp"
+#include "storage/run_file.hpp"
 #include "verify/verify.hpp"
 
 namespace zenosphere::fuzz {

@@ -6,17 +6,17 @@
 #include <filesystem>
 #include <vector>
 
+#include "case/case_file.hpp"
 #include "fuzz/memory_file.hpp"
 #include "fuzz/readers.hpp"
-#include "io/case_file.hpp"
-#include "io/checksum.hpp"
-#include "io/durable.hpp"
-#include "io/journal.hpp"
-#include "io/summary.hpp"
 #include "model/errors.hpp"
+#include "result/summary.hpp"
 #include "run/observers.hpp"
 #include "run/random_driving.hpp"
 #include "run/setup.hpp"
+#include "storage/checksum.hpp"
+#include "storage/durable.hpp"
+#include "storage/journal.hpp"
 
 /// Readers of what a run keeps for itself: its journal and the state in its checkpoints.
 namespace zenosphere::fuzz {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "campaign/database.hpp"
-#include "io/adjudication.hpp"
+#include "result/adjudication.hpp"
 
 namespace zenosphere {
 

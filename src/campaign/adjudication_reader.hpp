@@ -1,8 +1,8 @@
 #pragma once
 
 #include "campaign/adjudication_request.hpp"
-#include "io/case_problems.hpp"
-#include "io/case_tree.hpp"
+#include "case/case_problems.hpp"
+#include "case/case_tree.hpp"
 
 namespace zenosphere {
 

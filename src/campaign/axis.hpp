@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/case_entries.hpp"
-#include "io/case_problems.hpp"
-#include "io/case_table.hpp"
+#include "case/case_entries.hpp"
+#include "case/case_problems.hpp"
+#include "case/case_table.hpp"
 
 namespace zenosphere {
 

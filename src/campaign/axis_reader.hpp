@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "campaign/axis.hpp"
-#include "io/case_tree.hpp"
+#include "case/case_tree.hpp"
 
 namespace zenosphere {
 

@@ -5,8 +5,8 @@
 
 #include "campaign/axis.hpp"
 #include "campaign/boundary_request.hpp"
-#include "io/case_problems.hpp"
-#include "io/case_tree.hpp"
+#include "case/case_problems.hpp"
+#include "case/case_tree.hpp"
 
 namespace zenosphere {
 

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "io/file_kind.hpp"
 #include "model/errors.hpp"
+#include "text/file_kind.hpp"
 
 namespace zenosphere {
 namespace {

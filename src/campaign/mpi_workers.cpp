@@ -19,7 +19,7 @@
 
 #include "campaign/message.hpp"
 #include "campaign/run_case.hpp"
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 
 namespace zenosphere {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/build_info.hpp"
+#include "storage/build_info.hpp"
 
 namespace zenosphere {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "campaign/database.hpp"
-#include "io/summary.hpp"
+#include "result/summary.hpp"
 
 namespace zenosphere {
 

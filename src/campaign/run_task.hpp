@@ -10,7 +10,7 @@
 #include "campaign/adjudication_request.hpp"
 #include "campaign/database.hpp"
 #include "campaign/sweep.hpp"
-#include "io/summary.hpp"
+#include "result/summary.hpp"
 
 namespace zenosphere {
 

@@ -4,8 +4,8 @@
 
 #include "campaign/run_case.hpp"
 #include "campaign/store.hpp"
-#include "io/case_file.hpp"
-#include "io/printable.hpp"
+#include "case/case_file.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere {
 

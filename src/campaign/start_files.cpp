@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "io/durable.hpp"
-#include "io/file_checksum.hpp"
 #include "model/errors.hpp"
+#include "storage/durable.hpp"
+#include "storage/file_checksum.hpp"
 
 namespace zenosphere {
 namespace {

@@ -9,8 +9,8 @@
 #include "campaign/run_columns.hpp"
 #include "campaign/start_files.hpp"
 #include "campaign/stored_adjudication.hpp"
-#include "io/build_info.hpp"
 #include "model/errors.hpp"
+#include "storage/build_info.hpp"
 
 namespace zenosphere {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "io/durable.hpp"
+#include "storage/durable.hpp"
 
 namespace zenosphere {
 

@@ -12,7 +12,7 @@
 #include "campaign/adjudication_columns.hpp"
 #include "campaign/run_columns.hpp"
 #include "campaign/stored_adjudication.hpp"
-#include "io/build_info.hpp"
+#include "storage/build_info.hpp"
 
 namespace zenosphere {
 

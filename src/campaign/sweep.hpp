@@ -9,7 +9,7 @@
 #include "campaign/adjudication_request.hpp"
 #include "campaign/axis.hpp"
 #include "campaign/boundary_request.hpp"
-#include "io/case_draft.hpp"
+#include "case/case_draft.hpp"
 
 namespace zenosphere {
 

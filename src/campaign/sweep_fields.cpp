@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "campaign/axis.hpp"
-#include "io/spelling.hpp"
+#include "text/spelling.hpp"
 
 namespace zenosphere {
 

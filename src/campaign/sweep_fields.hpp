@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "io/case_problems.hpp"
-#include "io/case_table.hpp"
-#include "io/case_tree.hpp"
+#include "case/case_problems.hpp"
+#include "case/case_table.hpp"
+#include "case/case_tree.hpp"
 
 namespace zenosphere {
 

@@ -11,9 +11,9 @@
 #include "campaign/grid_check.hpp"
 #include "campaign/sweep.hpp"
 #include "campaign/sweep_fields.hpp"
-#include "io/case_file.hpp"
-#include "io/file_kind.hpp"
-#include "io/spelling.hpp"
+#include "case/case_file.hpp"
+#include "text/file_kind.hpp"
+#include "text/spelling.hpp"
 
 namespace zenosphere {
 

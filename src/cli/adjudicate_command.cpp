@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "case/case_file.hpp"
 #include "cli/case_input.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/values.hpp"
-#include "io/case_file.hpp"
-#include "io/integrity.hpp"
-#include "io/keep_adjudication.hpp"
-#include "io/output_reader.hpp"
 #include "model/errors.hpp"
 #include "run/adjudicate.hpp"
+#include "storage/integrity.hpp"
+#include "storage/keep_adjudication.hpp"
+#include "storage/output_reader.hpp"
 
 namespace zenosphere {
 

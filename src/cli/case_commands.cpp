@@ -16,8 +16,8 @@
 #include "cli/outputs.hpp"
 #include "cli/shipped_cases.hpp"
 #include "cli/values.hpp"
-#include "io/spelling.hpp"
 #include "model/errors.hpp"
+#include "text/spelling.hpp"
 
 namespace zenosphere {
 

@@ -1,6 +1,6 @@
 #include "cli/case_input.hpp"
 
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 
 namespace zenosphere {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "io/case.hpp"
+#include "case/case.hpp"
 
 namespace zenosphere {
 

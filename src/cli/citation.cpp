@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "io/build_info.hpp"
+#include "storage/build_info.hpp"
 
 namespace zenosphere {
 namespace {

@@ -12,8 +12,8 @@
 #include "cli/command_table.hpp"
 #include "cli/console.hpp"
 #include "cli/usage.hpp"
-#include "io/build_info.hpp"
 #include "model/errors.hpp"
+#include "storage/build_info.hpp"
 
 namespace zenosphere {
 

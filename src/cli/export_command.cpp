@@ -12,7 +12,7 @@
 #include "cli/values.hpp"
 #include "export/export_run.hpp"
 #include "export/text_target.hpp"
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere {
 

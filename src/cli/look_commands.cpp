@@ -7,14 +7,14 @@
 #include <system_error>
 #include <vector>
 
+#include "case/case_file.hpp"
 #include "cli/case_input.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "io/case_file.hpp"
-#include "io/derived.hpp"
-#include "io/info.hpp"
-#include "io/integrity.hpp"
+#include "start/derived.hpp"
+#include "storage/info.hpp"
+#include "storage/integrity.hpp"
 
 namespace zenosphere {
 

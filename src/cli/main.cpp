@@ -4,8 +4,8 @@
 #include <exception>
 
 #include "cli/commands.hpp"
-#include "io/printable.hpp"
 #include "model/errors.hpp"
+#include "text/printable.hpp"
 
 namespace {
 

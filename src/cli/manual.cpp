@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/build_info.hpp"
+#include "storage/build_info.hpp"
 
 namespace zenosphere {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "io/counted.hpp"
+#include "text/counted.hpp"
 
 namespace zenosphere {
 

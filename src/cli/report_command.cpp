@@ -12,10 +12,10 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/outputs.hpp"
-#include "io/journal.hpp"
-#include "io/printable.hpp"
 #include "report/run_page.hpp"
 #include "report/sweep_page.hpp"
+#include "storage/journal.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere {
 

@@ -13,10 +13,10 @@
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress_line.hpp"
-#include "io/printable.hpp"
-#include "io/recovery.hpp"
 #include "run/resume.hpp"
 #include "run/run.hpp"
+#include "storage/recovery.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere {
 

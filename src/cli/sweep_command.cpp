@@ -22,7 +22,7 @@
 #include "cli/search_text.hpp"
 #include "cli/sweep_text.hpp"
 #include "cli/values.hpp"
-#include "io/build_info.hpp"
+#include "storage/build_info.hpp"
 
 namespace zenosphere {
 

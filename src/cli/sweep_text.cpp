@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "case/case_entries.hpp"
 #include "cli/progress_line.hpp"
-#include "io/case_entries.hpp"
 
 namespace zenosphere {
 

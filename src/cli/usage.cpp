@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/spelling.hpp"
+#include "text/spelling.hpp"
 
 namespace zenosphere {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "io/spelling.hpp"
 #include "model/errors.hpp"
+#include "text/spelling.hpp"
 
 namespace zenosphere {
 

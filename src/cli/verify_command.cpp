@@ -5,7 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 #include "verify/verify.hpp"
 
 namespace zenosphere {

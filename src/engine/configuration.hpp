@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "model/grains.hpp"
+#include "model/spin.hpp"
 #include "model/vec.hpp"
 
 namespace zenosphere {
@@ -19,6 +21,12 @@ struct Configuration {
   /// Through how many boxes each sphere has come since the start, along the three box vectors:
   /// whole numbers. Of a start it does not count.
   std::vector<Vec<Dim, double>> boxes{};
+
+  /// What the spheres are; empty: unit spheres of one kind.
+  Grains<Real> grains{};
+
+  /// Angular velocities, radians/time; empty: nobody turns.
+  std::vector<Spin<Dim, Real>> spins{};
 };
 
 }  // namespace zenosphere

@@ -1,6 +1,6 @@
 #include "export/base64.hpp"
 
-#include "io/base64.hpp"
+#include "text/base64.hpp"
 
 namespace zenosphere {
 

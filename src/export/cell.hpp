@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "io/records.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <string>
 
-#include "io/durable.hpp"
 #include "model/errors.hpp"
+#include "storage/durable.hpp"
 
 namespace zenosphere {
 namespace {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "case/case_box.hpp"
+#include "case/case_file.hpp"
 #include "export/extended_xyz_frame.hpp"
 #include "export/lammps_dump.hpp"
 #include "export/new_file.hpp"
@@ -13,12 +15,10 @@
 #include "export/tables.hpp"
 #include "export/text_target.hpp"
 #include "export/vtk_frame.hpp"
-#include "io/case_box.hpp"
-#include "io/case_file.hpp"
-#include "io/counted.hpp"
-#include "io/recorded_run.hpp"
-#include "io/rehearsal.hpp"
 #include "model/errors.hpp"
+#include "storage/recorded_run.hpp"
+#include "storage/rehearsal.hpp"
+#include "text/counted.hpp"
 
 namespace zenosphere {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "export/cell.hpp"
-#include "io/records.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/durable.hpp"
+#include "storage/durable.hpp"
 
 namespace zenosphere {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "io/recorded_run.hpp"
+#include "storage/recorded_run.hpp"
 
 namespace zenosphere {
 

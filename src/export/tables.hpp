@@ -3,7 +3,7 @@
 #include <string>
 
 #include "export/frame.hpp"
-#include "io/records.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

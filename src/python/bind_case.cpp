@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "io/case_file.hpp"
-#include "io/derived.hpp"
+#include "case/case_file.hpp"
 #include "python/bindings.hpp"
+#include "start/derived.hpp"
 
 namespace zenosphere {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "io/records.hpp"
 #include "python/bindings.hpp"
 #include "python/driven_run.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

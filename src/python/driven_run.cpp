@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/recovery.hpp"
-#include "io/summary.hpp"
 #include "model/errors.hpp"
 #include "python/arrays.hpp"
 #include "python/files.hpp"
+#include "result/summary.hpp"
 #include "run/resume.hpp"
+#include "storage/recovery.hpp"
 
 namespace zenosphere {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/case.hpp"
+#include "case/case.hpp"
 #include "run/stepped_run.hpp"
 
 namespace zenosphere {

@@ -3,10 +3,10 @@
 #include <exception>
 #include <string>
 
-#include "io/build_info.hpp"
-#include "io/printable.hpp"
 #include "model/errors.hpp"
 #include "python/bindings.hpp"
+#include "storage/build_info.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere {
 

@@ -4,12 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include "io/info.hpp"
-#include "io/output_reader.hpp"
-#include "io/recorded_run.hpp"
-#include "io/rehearsal.hpp"
 #include "python/arrays.hpp"
 #include "python/files.hpp"
+#include "storage/info.hpp"
+#include "storage/output_reader.hpp"
+#include "storage/recorded_run.hpp"
+#include "storage/rehearsal.hpp"
 
 namespace zenosphere {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/records.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

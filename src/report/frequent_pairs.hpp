@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/records.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/records.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

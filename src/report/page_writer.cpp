@@ -6,9 +6,9 @@
 #include <cerrno>
 #include <cstring>
 
-#include "io/base64.hpp"
 #include "model/errors.hpp"
 #include "report/page_template.hpp"
+#include "text/base64.hpp"
 
 namespace zenosphere {
 namespace {

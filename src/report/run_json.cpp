@@ -1,7 +1,7 @@
 #include "report/run_json.hpp"
 
-#include "io/info.hpp"
-#include "io/json.hpp"
+#include "storage/info.hpp"
+#include "text/json.hpp"
 
 namespace zenosphere {
 namespace {

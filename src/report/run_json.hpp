@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "io/case.hpp"
-#include "io/run_file.hpp"
+#include "case/case.hpp"
 #include "report/frames.hpp"
 #include "report/frequent_pairs.hpp"
+#include "storage/run_file.hpp"
 
 namespace zenosphere {
 

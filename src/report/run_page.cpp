@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "io/case_file.hpp"
-#include "io/rehearsal.hpp"
-#include "io/run_file.hpp"
-#include "io/summary.hpp"
+#include "case/case_file.hpp"
 #include "report/frames.hpp"
 #include "report/frequent_pairs.hpp"
 #include "report/log_digest.hpp"
 #include "report/run_json.hpp"
+#include "result/summary.hpp"
+#include "storage/rehearsal.hpp"
+#include "storage/run_file.hpp"
 
 namespace zenosphere {
 namespace {

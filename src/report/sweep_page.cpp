@@ -11,8 +11,8 @@
 
 #include "campaign/run_case.hpp"
 #include "campaign/store.hpp"
-#include "io/case_file.hpp"
-#include "io/json.hpp"
+#include "case/case_file.hpp"
+#include "text/json.hpp"
 
 namespace zenosphere {
 namespace {

@@ -8,8 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/case_words.hpp"
-#include "io/counted.hpp"
+#include "case/case_words.hpp"
 #include "model/errors.hpp"
 #include "run/arithmetic.hpp"
 #include "run/beginnings.hpp"
@@ -20,6 +19,7 @@
 #include "run/precision_ladder.hpp"
 #include "run/rods_certificate.hpp"
 #include "run/trial_run.hpp"
+#include "text/counted.hpp"
 
 namespace zenosphere {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "io/adjudication.hpp"
-#include "io/case.hpp"
+#include "case/case.hpp"
+#include "result/adjudication.hpp"
 
 namespace zenosphere {
 

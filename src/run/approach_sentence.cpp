@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/case_words.hpp"
+#include "case/case_words.hpp"
 
 namespace zenosphere {
 namespace {

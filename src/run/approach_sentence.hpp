@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "collapse/finding.hpp"
-#include "io/adjudication.hpp"
+#include "result/adjudication.hpp"
 
 namespace zenosphere {
 

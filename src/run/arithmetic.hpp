@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/case.hpp"
+#include "case/case.hpp"
 #include "model/real.hpp"
 
 namespace zenosphere {

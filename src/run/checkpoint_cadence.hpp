@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "io/case.hpp"
+#include "case/case.hpp"
 
 namespace zenosphere {
 

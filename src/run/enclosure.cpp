@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "io/case_words.hpp"
+#include "case/case_words.hpp"
 #include "model/contact.hpp"
 #include "model/instantiate.hpp"
 #include "proof/enclose_cluster.hpp"

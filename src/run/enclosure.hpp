@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "io/adjudication.hpp"
-#include "io/case.hpp"
+#include "case/case.hpp"
 #include "proof/certificate.hpp"
+#include "result/adjudication.hpp"
 #include "run/cluster_gaps.hpp"
 
 namespace zenosphere {

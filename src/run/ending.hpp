@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "case/case.hpp"
 #include "engine/patience.hpp"
 #include "engine/simulation.hpp"
-#include "io/case.hpp"
 #include "run/random_driving.hpp"
 
 namespace zenosphere {

@@ -8,7 +8,7 @@
 #include "collapse/approach.hpp"
 #include "collapse/contact_word.hpp"
 #include "collapse/finding.hpp"
-#include "io/adjudication.hpp"
+#include "result/adjudication.hpp"
 #include "run/hit_groups.hpp"
 #include "run/kept_collisions.hpp"
 

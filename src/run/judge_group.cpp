@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "io/case_words.hpp"
+#include "case/case_words.hpp"
 #include "run/approach_sentence.hpp"
 
 namespace zenosphere {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "io/adjudication.hpp"
+#include "result/adjudication.hpp"
 #include "run/followed_group.hpp"
 #include "run/hit_groups.hpp"
 

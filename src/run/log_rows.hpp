@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "io/records.hpp"
 #include "model/collision.hpp"
 #include "model/real.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

@@ -9,7 +9,7 @@
 #include "collapse/dissector.hpp"
 #include "collapse/separation_criterion.hpp"
 #include "flow/measurements.hpp"
-#include "io/summary.hpp"
+#include "result/summary.hpp"
 #include "run/collision_counts.hpp"
 #include "run/self_check.hpp"
 #include "run/setup.hpp"

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "case/case.hpp"
 #include "flow/measurements.hpp"
-#include "io/case.hpp"
 #include "model/random.hpp"
 
 namespace zenosphere {

@@ -3,10 +3,10 @@
 #include <limits>
 #include <optional>
 
+#include "case/case.hpp"
 #include "engine/simulation.hpp"
-#include "io/case.hpp"
-#include "io/output_file.hpp"
 #include "run/log_rows.hpp"
+#include "storage/output_file.hpp"
 
 namespace zenosphere {
 

@@ -6,11 +6,11 @@
 #include <array>
 #include <optional>
 
-#include "io/case_file.hpp"
-#include "io/case_table.hpp"
-#include "io/case_words.hpp"
-#include "io/summary.hpp"
+#include "case/case_file.hpp"
+#include "case/case_table.hpp"
+#include "case/case_words.hpp"
 #include "model/errors.hpp"
+#include "result/summary.hpp"
 
 namespace zenosphere {
 namespace {

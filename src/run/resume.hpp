@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "io/case.hpp"
-#include "io/recovery.hpp"
+#include "case/case.hpp"
+#include "storage/recovery.hpp"
 
 namespace zenosphere {
 

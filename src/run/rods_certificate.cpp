@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/case_box.hpp"
-#include "io/case_words.hpp"
+#include "case/case_box.hpp"
+#include "case/case_words.hpp"
 #include "proof/certify_rods.hpp"
 #include "run/approach_sentence.hpp"
 #include "run/judge_group.hpp"

@@ -3,9 +3,9 @@
 #include <atomic>
 #include <optional>
 
-#include "io/adjudication.hpp"
-#include "io/case.hpp"
+#include "case/case.hpp"
 #include "proof/certificate.hpp"
+#include "result/adjudication.hpp"
 
 namespace zenosphere {
 

@@ -5,10 +5,10 @@
 #include <functional>
 #include <optional>
 
-#include "io/case.hpp"
-#include "io/output_file.hpp"
-#include "io/recovery.hpp"
-#include "io/summary.hpp"
+#include "case/case.hpp"
+#include "result/summary.hpp"
+#include "storage/output_file.hpp"
+#include "storage/recovery.hpp"
 
 namespace zenosphere {
 

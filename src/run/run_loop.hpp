@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "case/case_file.hpp"
 #include "collapse/verdict.hpp"
-#include "io/case_file.hpp"
 #include "run/checkpoint_cadence.hpp"
 #include "run/ending.hpp"
 #include "run/log_rows.hpp"

@@ -5,9 +5,9 @@
 
 #include "engine/simulation.hpp"
 #include "flow/measurements.hpp"
-#include "io/printable.hpp"
 #include "model/archive.hpp"
 #include "model/overlap_rule.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere {
 

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "case/case_cells.hpp"
+#include "case/case_file.hpp"
 #include "engine/start.hpp"
-#include "io/case_file.hpp"
-#include "io/derived.hpp"
-#include "io/start_file.hpp"
 #include "model/errors.hpp"
 #include "model/instantiate.hpp"
+#include "start/start_file.hpp"
 
 namespace zenosphere {
 

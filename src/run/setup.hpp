@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "case/case.hpp"
 #include "engine/simulation.hpp"
-#include "io/case.hpp"
-#include "io/output_datasets.hpp"
+#include "storage/output_datasets.hpp"
 
 namespace zenosphere {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/simulation.hpp"
-#include "io/records.hpp"
+#include "storage/records.hpp"
 
 namespace zenosphere {
 

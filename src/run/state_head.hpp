@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <limits>
 
-#include "io/case.hpp"
-#include "io/recovery.hpp"
+#include "case/case.hpp"
 #include "model/archive.hpp"
 #include "model/errors.hpp"
+#include "storage/recovery.hpp"
 
 namespace zenosphere {
 

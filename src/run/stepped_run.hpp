@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "io/case.hpp"
-#include "io/records.hpp"
-#include "io/recovery.hpp"
-#include "io/summary.hpp"
+#include "case/case.hpp"
+#include "result/summary.hpp"
 #include "run/run.hpp"
+#include "storage/records.hpp"
+#include "storage/recovery.hpp"
 
 namespace zenosphere {
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "case/case.hpp"
 #include "collapse/arrest_criterion.hpp"
 #include "collapse/separation_criterion.hpp"
 #include "flow/measurements.hpp"
-#include "io/adjudication.hpp"
-#include "io/case.hpp"
+#include "result/adjudication.hpp"
 #include "run/cluster_gaps.hpp"
 #include "run/hit_groups.hpp"
 #include "run/kept_collisions.hpp"

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "case/case.hpp"
 #include "collapse/arrest_criterion.hpp"
-#include "io/case.hpp"
-#include "io/records.hpp"
-#include "io/summary.hpp"
+#include "result/summary.hpp"
+#include "storage/records.hpp"
 #include "verify/findings.hpp"
 
 namespace zenosphere::verify {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "io/case.hpp"
+#include "case/case.hpp"
 #include "model/random.hpp"
 #include "model/vec.hpp"
 

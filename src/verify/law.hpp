@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "io/case.hpp"
-#include "io/records.hpp"
+#include "case/case.hpp"
 #include "model/contact_models.hpp"
+#include "storage/records.hpp"
 #include "verify/motion.hpp"
 
 namespace zenosphere::verify {

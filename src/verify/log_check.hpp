@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "io/case.hpp"
-#include "io/records.hpp"
-#include "io/summary.hpp"
+#include "case/case.hpp"
+#include "result/summary.hpp"
+#include "storage/records.hpp"
 #include "verify/findings.hpp"
 #include "verify/law.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "io/case_box.hpp"
+#include "case/case_box.hpp"
 #include "model/instantiate.hpp"
 #include "model/real.hpp"
 

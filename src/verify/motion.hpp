@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "io/case.hpp"
+#include "case/case.hpp"
 #include "model/vec.hpp"
 
 namespace zenosphere::verify {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "case/case.hpp"
 #include "collapse/verdict.hpp"
-#include "io/case.hpp"
-#include "io/records.hpp"
 #include "model/vec.hpp"
+#include "storage/records.hpp"
 #include "verify/findings.hpp"
 #include "verify/kicks.hpp"
 #include "verify/law.hpp"

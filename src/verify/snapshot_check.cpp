@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "case/case_box.hpp"
 #include "flow/overlaps.hpp"
-#include "io/case_box.hpp"
 
 namespace zenosphere::verify {
 namespace {

@@ -7,14 +7,14 @@
 #include <limits>
 #include <optional>
 
+#include "case/case_file.hpp"
 #include "collapse/verdict.hpp"
-#include "io/case_file.hpp"
-#include "io/counted.hpp"
-#include "io/integrity.hpp"
-#include "io/rehearsal.hpp"
-#include "io/run_file.hpp"
-#include "io/summary.hpp"
 #include "model/errors.hpp"
+#include "result/summary.hpp"
+#include "storage/integrity.hpp"
+#include "storage/rehearsal.hpp"
+#include "storage/run_file.hpp"
+#include "text/counted.hpp"
 #include "verify/arrest_recount.hpp"
 #include "verify/log_check.hpp"
 #include "verify/snapshot_check.hpp"

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 #include "run/run.hpp"
 
 namespace zenosphere {

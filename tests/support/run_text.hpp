@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 #include "run/run.hpp"
 
 namespace zenosphere::test {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "../io/temporary_folder.hpp"
+#include "../storage/temporary_folder.hpp"
 #include "campaign/store.hpp"
 #include "model/errors.hpp"
 #include "sweep_texts.hpp"

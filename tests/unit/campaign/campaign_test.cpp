@@ -6,11 +6,11 @@
 #include <fstream>
 #include <string>
 
-#include "../io/temporary_folder.hpp"
+#include "../storage/temporary_folder.hpp"
 #include "campaign/csv.hpp"
 #include "campaign/show.hpp"
 #include "campaign/thread_workers.hpp"
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 #include "run/run.hpp"
 #include "sweep_texts.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "../io/temporary_folder.hpp"
+#include "../storage/temporary_folder.hpp"
 #include "campaign/adjudication_columns.hpp"
 #include "campaign/seeds.hpp"
 #include "model/errors.hpp"

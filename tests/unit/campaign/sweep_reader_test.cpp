@@ -3,10 +3,10 @@
 #include <fstream>
 #include <string>
 
-#include "../io/temporary_folder.hpp"
+#include "../storage/temporary_folder.hpp"
 #include "campaign/run_case.hpp"
 #include "campaign/sweep.hpp"
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 #include "model/errors.hpp"
 #include "sweep_texts.hpp"
 

@@ -8,7 +8,7 @@
 #include "export/export_run.hpp"
 #include "export/vtk_frame.hpp"
 #include "model/errors.hpp"
-#include "unit/io/output_fixture.hpp"
+#include "unit/storage/output_fixture.hpp"
 
 namespace zenosphere {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 #include "run/setup.hpp"
 
 namespace zenosphere {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 #include "run/setup.hpp"
-#include "unit/io/temporary_folder.hpp"
+#include "unit/storage/temporary_folder.hpp"
 
 namespace zenosphere {
 namespace {

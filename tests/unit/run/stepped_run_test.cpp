@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/case_file.hpp"
+#include "case/case_file.hpp"
 
 namespace zenosphere {
 namespace {

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <string_view>
+
+#include "case/case.hpp"
+
+namespace zenosphere::case_format {
+
+/// A word that a key takes, and what it stands for.
+template <class Choice>
+struct Word {
+  std::string_view text;
+  Choice choice;
+};
+template <class Choice>
+Word(const char*, Choice) -> Word<Choice>;  // clang 14 does not deduce it for an aggregate
+
+inline constexpr std::array arrangement_words{
+    Word{"fcc", Arrangement::fcc}, Word{"random", Arrangement::random},
+    Word{"given", Arrangement::given}, Word{"file", Arrangement::file}};
+inline constexpr std::array drive_words{Word{"none", DriveKind::none},
+                                        Word{"shear", DriveKind::shear},
+                                        Word{"random", DriveKind::random}};
+inline constexpr std::array axis_words{Word{"x", Axis::x}, Word{"y", Axis::y}, Word{"z", Axis::z}};
+inline constexpr std::array overlap_words{
+    Word{"rewind", OverlapRule::rewind}, Word{"immediate", OverlapRule::immediate},
+    Word{"guarded", OverlapRule::guarded}, Word{"stop", OverlapRule::stop}};
+inline constexpr std::array law_words{Word{"constant", RestitutionLaw::constant},
+                                      Word{"viscoelastic", RestitutionLaw::viscoelastic},
+                                      Word{"fixed-loss", RestitutionLaw::fixed_loss}};
+inline constexpr std::array log_words{Word{"all", CollisionLog::all},
+                                      Word{"window", CollisionLog::window},
+                                      Word{"none", CollisionLog::none}};
+
+/// All words of a choice.
+inline const auto& words_of(Arrangement) { return arrangement_words; }
+inline const auto& words_of(DriveKind) { return drive_words; }
+inline const auto& words_of(Axis) { return axis_words; }
+inline const auto& words_of(OverlapRule) { return overlap_words; }
+inline const auto& words_of(RestitutionLaw) { return law_words; }
+inline const auto& words_of(CollisionLog) { return log_words; }
+
+/// The word for a choice.
+template <class Choice>
+const char* word_for(Choice choice) {
+  const auto& words = words_of(choice);
+  const auto found = std::find_if(words.begin(), words.end(),
+                                  [choice](const auto& word) { return word.choice == choice; });
+  assert(found != words.end());
+  return found->text.data();  // a literal
+}
+
+}  // namespace zenosphere::case_format

@@ -1,0 +1,302 @@
+#include "result/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "text/counted.hpp"
+#include "text/json.hpp"
+
+namespace zenosphere {
+namespace {
+
+/// D arrays of D.
+Json matrix(const std::vector<double>& values, int dimension) {
+  assert(values.size() == static_cast<std::size_t>(dimension * dimension));
+  Json result = Json::array();
+  for (auto row = values.begin(); row != values.end(); row += dimension) {
+    result.push_back(std::vector<double>(row, row + dimension));
+  }
+  return result;
+}
+
+Json separation(const Summary::Separation& separation) {
+  return {{"hits", separation.hits},
+          {"first_collision", or_null(separation.first_collision)},
+          {"first_time", or_null(separation.first_time)},
+          {"last_collision", or_null(separation.last_collision)},
+          {"last_time", or_null(separation.last_time)},
+          {"longest_pause", separation.longest_pause}};
+}
+
+Json arrest(const Summary::Arrest& arrest) {
+  Json pairs = Json::array();
+  for (const auto& [i, j] : arrest.pairs) pairs.push_back(Json::array({i, j}));
+  return {{"met", arrest.met},
+          {"collision", or_null(arrest.collision)},
+          {"time", or_null(arrest.time)},
+          {"window", arrest.window},
+          {"pairs", pairs},
+          {"extrapolated_time", or_null(arrest.extrapolated_time)},
+          {"flight_ratio", or_null(arrest.flight_ratio)},
+          {"others_moving", or_null(arrest.others_moving)}};
+}
+
+Json dissected(const std::optional<Summary::Dissected>& dissected) {
+  if (!dissected) return nullptr;
+  const auto& d = *dissected;
+  return {{"collision", d.collision},
+          {"time", d.time},
+          {"clusters", d.clusters},
+          {"spheres", d.spheres},
+          {"contacts", d.contacts},
+          {"chain", d.chain},
+          {"straightness", d.straightness},
+          {"cycle", d.cycle},
+          {"gap_ratio", or_null(d.gap_ratio)},
+          {"speed_ratio", or_null(d.speed_ratio)},
+          {"flight_ratio", or_null(d.flight_ratio)},
+          {"exact_gap_ratio", or_null(d.exact_gap_ratio)},
+          {"exact_speed_ratio", or_null(d.exact_speed_ratio)},
+          {"exact_flight_ratio", or_null(d.exact_flight_ratio)},
+          {"collapse_time", or_null(d.collapse_time)},
+          {"collapse_time_error", or_null(d.collapse_time_error)}};
+}
+
+Json contact(const Summary::Contact& contact) {
+  return {{"mean_restitution", or_null(contact.mean_restitution)},
+          {"made_elastic", contact.made_elastic},
+          {"rotated", contact.rotated}};
+}
+
+/// The keys of `averages`, each null where nothing was averaged.
+Json averages(const std::optional<Averages>& averages, int dimension) {
+  const auto a = averages.value_or(Averages{});
+  Json result = {
+      {"granular_temperature", a.granular_temperature},
+      {"temperature_diagonal", a.temperature_diagonal},
+      {"pressure", a.pressure},
+      {"pressure_tensor", averages ? matrix(a.pressure_tensor, dimension) : Json(nullptr)},
+      {"collision_rate", a.collision_rate},
+      {"dissipation", a.dissipation},
+      {"compressibility_factor", a.compressibility_factor},
+      {"from_time", a.from_time},
+      {"to_time", a.to_time},
+      {"shear_work", a.shear_work},
+      {"normal_speed", a.normal_speed},
+      {"other_work", a.other_work},
+      {"wall_pressure", a.wall_pressure}};
+  if (!averages) {
+    for (auto& value : result) value = nullptr;
+  }
+  return result;
+}
+
+/// One line of the table: the names of all lines end in the same column.
+std::string line(std::string_view name, const std::string& value) {
+  return fmt::format("  {:<24}{}\n", name, value);
+}
+
+/// A mean of independent numbers is known to about one part in the root of how many they are: as
+/// many digits as that tells, and one more.
+int digits_of_averages(std::int64_t collisions) {
+  const double decades = std::log10(static_cast<double>(std::max<std::int64_t>(collisions, 1)));
+  return std::clamp(2 + static_cast<int>(decades / 2), 2, 6);
+}
+
+std::string rounded(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+
+/// What has ended the run, where that is no limit of its case and needs words.
+std::string end_sentence(const Summary& s) {
+  if (s.ended_by == "at rest") return "at rest: no collision will ever come";
+  if (s.ended_by == "clock") return "clock: the next collision is beyond its end";
+  if (s.ended_by == "idle") return "idle: nobody has met for too long; set run.time";
+  return s.ended_by;
+}
+
+/// What a reader must know before the verdict of a run that was not let go on to its end.
+std::string interruption_text(const Summary& s, const std::string& kept) {
+  if (s.self_check) return fmt::format("Ended by a self-check: {}\n\n", *s.self_check);
+  if (s.outcome != "interrupted") return "";
+  return fmt::format("Interrupted at collision {}, time {:.6g}{}.\nUp to there: ", s.collisions,
+                     s.time,
+                     kept.empty() ? ", and not kept (no -o)"
+                                  : fmt::format("; zenosphere resume {} goes on with it", kept));
+}
+
+std::string run_lines(const Summary& s) {
+  return line("outcome", fmt::format("{} (ended by: {})", s.outcome, end_sentence(s))) +
+         line("collisions",
+              fmt::format("{} ({:.6g} per sphere)", s.collisions, s.collisions_per_sphere)) +
+         line("time", fmt::format("{:.6g} (strain {:.6g})", s.time, s.strain));
+}
+
+std::string separation_text(const Summary::Separation& separation) {
+  if (!separation.first_collision) return "never met";
+  const std::int64_t first = *separation.first_collision;
+  const double time = separation.first_time.value_or(0);
+  if (separation.hits == 1) return fmt::format("1 hit, collision {}, at time {:.6g}", first, time);
+  return fmt::format("{} hits, collisions {} to {}, first at time {:.6g}", separation.hits, first,
+                     separation.last_collision.value_or(0), time);
+}
+
+/// The first few pairs; a cluster can have hundreds.
+std::string pairs_text(const std::vector<std::pair<std::int64_t, std::int64_t>>& pairs) {
+  constexpr std::size_t shown = 6;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(shown, pairs.size()); ++k) {
+    text += fmt::format("{}{}-{}", k == 0 ? "" : " ", pairs[k].first, pairs[k].second);
+  }
+  if (pairs.size() > shown) text += fmt::format(" and {} more", pairs.size() - shown);
+  return text;
+}
+
+std::string arrested_text(const Summary::Arrest& arrest) {
+  const std::int64_t others = arrest.others_moving.value_or(0);
+  if (others == 0) return pairs_text(arrest.pairs);
+  return fmt::format("{}; {} other sphere{} still moving", pairs_text(arrest.pairs), others,
+                     others == 1 ? "" : "s");
+}
+
+std::string arrest_text(const Summary::Arrest& arrest) {
+  if (!arrest.met) return fmt::format("not met, window {} collisions", arrest.window);
+  return fmt::format("met at collision {}, time {:.6g}, window {} collisions",
+                     arrest.collision.value_or(0), arrest.time.value_or(0), arrest.window);
+}
+
+std::string series_text(const Summary::Arrest& arrest) {
+  return fmt::format("{:.15g}, where flights shrink by {:.6g} from one to the next",
+                     arrest.extrapolated_time.value_or(0), arrest.flight_ratio.value_or(0));
+}
+
+std::string factor_text(std::string_view name, const std::optional<double>& ratio) {
+  return ratio ? fmt::format("; {} x {:.4g}", name, *ratio) : "";
+}
+
+std::string dissected_line(std::string_view name, const Summary::Dissected& d) {
+  const std::string factors = factor_text("gap", d.gap_ratio) +
+                              factor_text("speed", d.speed_ratio) +
+                              factor_text("flight", d.flight_ratio);
+  return line(name, fmt::format("{}, a chain of {}, straightness {:.6g}{}{}",
+                                counted(d.spheres, "sphere"), d.chain.size(), d.straightness,
+                                factors, factors.empty() ? "" : " per collision"));
+}
+
+std::string anatomy_lines(const Summary::Anatomy& anatomy) {
+  return (anatomy.hit ? dissected_line("cluster at first hit", *anatomy.hit) : "") +
+         (anatomy.arrest ? dissected_line("cluster at arrest", *anatomy.arrest) : "");
+}
+
+std::string criteria_lines(const Summary& s) {
+  return line("separation criterion", separation_text(s.separation)) +
+         line("arrest criterion", arrest_text(s.arrest)) +
+         (s.arrest.met ? line("arrested pairs", arrested_text(s.arrest)) : "") +
+         (s.arrest.extrapolated_time ? line("collapse time", series_text(s.arrest)) : "") +
+         line("odd collisions",
+              fmt::format("{} absorbed, {} overlapping, {} receding; {} overlaps ignored",
+                          s.absorbed, s.overlap_collisions, s.receding, s.overlaps_ignored));
+}
+
+/// What the law of restitution and the contact models came to.
+std::string contact_line(const Summary::Contact& contact) {
+  if (!contact.mean_restitution) return "";
+  return line("mean restitution",
+              fmt::format("{:.6g} ({} made elastic, {} rotated)", *contact.mean_restitution,
+                          counted(contact.made_elastic, "collision"), contact.rotated));
+}
+
+/// Averages as lines, with so many digits.
+class AverageLines {
+ public:
+  explicit AverageLines(int digits) : digits_(digits) {}
+
+  std::string of(const Averages& a, std::size_t dimension) const {
+    std::string text = fmt::format("averages from time {:.6g} to {:.6g}\n", a.from_time, a.to_time);
+    text += number("granular temperature", a.granular_temperature, " (diameter/time)^2");
+    text += line("  along each axis", row(a.temperature_diagonal, 0, dimension));
+    text += number("pressure", a.pressure, "");
+    for (std::size_t n = 0; n < dimension; ++n) {
+      text += line(n == 0 ? "  tensor" : "", row(a.pressure_tensor, n * dimension, dimension));
+    }
+    text += number("compressibility factor", a.compressibility_factor, "");
+    text += number("collision rate", a.collision_rate, " per sphere and time");
+    text += number("normal speed", a.normal_speed, " diameter/time");
+    text += number("dissipation", a.dissipation, " per volume and time");
+    text += number("shear work", a.shear_work, " per volume and time");
+    if (a.other_work != 0) text += number("other work", a.other_work, " per volume and time");
+    if (!a.wall_pressure.empty()) {
+      text += line("wall pressure", row(a.wall_pressure, 0, a.wall_pressure.size()));
+    }
+    return text;
+  }
+
+ private:
+  /// "none" for what there is only where spheres have met, or move.
+  std::string number(std::string_view name, double value, std::string_view unit) const {
+    return line(name, std::isnan(value) ? "none" : rounded(value, digits_) + std::string(unit));
+  }
+  std::string row(const std::vector<double>& values, std::size_t first, std::size_t count) const {
+    std::string text;
+    for (std::size_t k = first; k < first + count; ++k) {
+      text += fmt::format("{:<14}", rounded(values[k], digits_));
+    }
+    return text.substr(0, text.find_last_not_of(' ') + 1);
+  }
+
+  int digits_;
+};
+
+std::string cost_lines(const Summary& s) {
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  return line("energy ledger", fmt::format("closed to {:.2g} (relative)", s.ledger_error)) +
+         line("wall time", fmt::format("{:.3g} s ({:.3g} collisions/s)", s.wall_seconds,
+                                       s.collisions_per_second)) +
+         line("peak memory",
+              fmt::format("{:.1f} MiB", static_cast<double>(s.peak_memory_bytes) / mebibyte));
+}
+
+}  // namespace
+
+std::string to_json(const Summary& summary, int dimension) {
+  const Json json = {
+      {"collisions", summary.collisions},
+      {"collisions_per_sphere", summary.collisions_per_sphere},
+      {"time", summary.time},
+      {"strain", summary.strain},
+      {"outcome", summary.outcome},
+      {"verdict", summary.verdict},
+      {"separation", separation(summary.separation)},
+      {"arrest", arrest(summary.arrest)},
+      {"absorbed", summary.absorbed},
+      {"averages", averages(summary.averages, dimension)},
+      {"ledger_error", summary.ledger_error},
+      {"wall_seconds", summary.wall_seconds},
+      {"collisions_per_second", summary.collisions_per_second},
+      {"peak_memory_bytes", summary.peak_memory_bytes},
+      {"ended_by", summary.ended_by},
+      {"overlap_collisions", summary.overlap_collisions},
+      {"overlaps_ignored", summary.overlaps_ignored},
+      {"receding", summary.receding},
+      {"contact", contact(summary.contact)},
+      {"anatomy",
+       {{"hit", dissected(summary.anatomy.hit)}, {"arrest", dissected(summary.anatomy.arrest)}}},
+      {"self_check", or_null(summary.self_check)}};
+  return json.dump();
+}
+
+std::string to_text(const Summary& summary, int dimension, const std::string& kept) {
+  std::string text = interruption_text(summary, kept);
+  text += verdict_sentence(summary) + "\n\n";
+  text += run_lines(summary) + criteria_lines(summary);
+  text += anatomy_lines(summary.anatomy) + contact_line(summary.contact) + cost_lines(summary);
+  if (summary.averages) {
+    text += '\n';
+    text += AverageLines(digits_of_averages(summary.collisions))
+                .of(*summary.averages, static_cast<std::size_t>(dimension));
+  }
+  return text;
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "model/errors.hpp"
+#include "result/summary.hpp"
+
+namespace zenosphere {
+
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void reject(const std::string& what) {
+  constexpr std::size_t longest = 200;  // the library repeats what it could not read
+  throw InputError("/zenosphere/summary: " + what.substr(0, longest) +
+                   " (the file is damaged); run the case again");
+}
+
+/// Keeps its values in their types: the library would round a fraction to an integer, and a number
+/// beyond the integers to nothing that is defined.
+template <class T>
+T value_of(const Json& member) {
+  if constexpr (std::is_same_v<T, std::int64_t>) {
+    const bool fits = member.is_number_integer() &&
+                      (!member.is_number_unsigned() ||
+                       member.get<std::uint64_t>() <= std::numeric_limits<std::int64_t>::max());
+    if (!fits) reject(fmt::format("a {} where an integer must be", member.type_name()));
+  }
+  return member.get<T>();
+}
+
+template <class T>
+void read(const Json& object, const char* key, T& value) {
+  value = value_of<T>(object.at(key));
+}
+
+/// Null stands for an absent value.
+template <class T>
+void read(const Json& object, const char* key, std::optional<T>& value) {
+  const Json& member = object.at(key);
+  if (!member.is_null()) value = value_of<T>(member);
+}
+
+/// Null stands for a number that is not finite.
+void read(const Json& object, const char* key, double& value) {
+  const Json& member = object.at(key);
+  value = member.is_null() ? std::numeric_limits<double>::quiet_NaN() : member.get<double>();
+}
+
+void read(const Json& values, std::vector<double>& row) {
+  for (const Json& value : values) {
+    row.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
+  }
+}
+
+void read_verdict(const Json& json, std::string& verdict) {
+  constexpr std::array<std::string_view, 4> words{"none", "temporary", "open", "true"};
+  read(json, "verdict", verdict);
+  if (std::find(words.begin(), words.end(), verdict) == words.end()) reject("no known verdict");
+}
+
+void read_pairs(const Json& json, Summary::Arrest& arrest) {
+  for (const Json& pair : json) {
+    if (!pair.is_array() || pair.size() != 2) reject("arrest.pairs has other than pairs");
+    arrest.pairs.emplace_back(value_of<std::int64_t>(pair[0]), value_of<std::int64_t>(pair[1]));
+  }
+}
+
+void require_extents(const Averages& averages, int dimension) {
+  const auto components = static_cast<std::size_t>(dimension);
+  const std::size_t walls = averages.wall_pressure.size();
+  const bool fits = averages.temperature_diagonal.size() == components &&
+                    averages.pressure_tensor.size() == components * components &&
+                    (walls == 0 || walls == 2);
+  if (!fits) reject(fmt::format("its averages do not have {} dimensions", dimension));
+}
+
+std::optional<Averages> averages(const Json& json, int dimension) {
+  if (json.at("to_time").is_null()) return std::nullopt;
+  Averages averages;
+  read(json, "granular_temperature", averages.granular_temperature);
+  read(json.at("temperature_diagonal"), averages.temperature_diagonal);
+  read(json, "pressure", averages.pressure);
+  for (const Json& row : json.at("pressure_tensor")) read(row, averages.pressure_tensor);
+  read(json, "collision_rate", averages.collision_rate);
+  read(json, "dissipation", averages.dissipation);
+  read(json, "compressibility_factor", averages.compressibility_factor);
+  read(json, "from_time", averages.from_time);
+  read(json, "to_time", averages.to_time);
+  read(json, "shear_work", averages.shear_work);
+  read(json, "normal_speed", averages.normal_speed);
+  read(json, "other_work", averages.other_work);
+  read(json.at("wall_pressure"), averages.wall_pressure);
+  require_extents(averages, dimension);
+  return averages;
+}
+
+void read_collapse(const Json& json, Summary& summary) {
+  read_verdict(json, summary.verdict);
+  const Json& separation = json.at("separation");
+  read(separation, "hits", summary.separation.hits);
+  read(separation, "first_collision", summary.separation.first_collision);
+  read(separation, "first_time", summary.separation.first_time);
+  read(separation, "last_collision", summary.separation.last_collision);
+  if (separation.contains("last_time")) {
+    read(separation, "last_time", summary.separation.last_time);
+    read(separation, "longest_pause", summary.separation.longest_pause);
+  }
+  const Json& arrest = json.at("arrest");
+  read(arrest, "met", summary.arrest.met);
+  read(arrest, "collision", summary.arrest.collision);
+  read(arrest, "time", summary.arrest.time);
+  read(arrest, "window", summary.arrest.window);
+  read_pairs(arrest.at("pairs"), summary.arrest);
+  read(arrest, "extrapolated_time", summary.arrest.extrapolated_time);
+  read(arrest, "flight_ratio", summary.arrest.flight_ratio);
+  if (arrest.contains("others_moving")) {
+    read(arrest, "others_moving", summary.arrest.others_moving);
+  }
+}
+
+std::optional<Summary::Dissected> dissected(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  Summary::Dissected dissected;
+  read(json, "collision", dissected.collision);
+  read(json, "time", dissected.time);
+  read(json, "clusters", dissected.clusters);
+  read(json, "spheres", dissected.spheres);
+  read(json, "contacts", dissected.contacts);
+  read(json, "chain", dissected.chain);
+  read(json, "straightness", dissected.straightness);
+  read(json, "cycle", dissected.cycle);
+  read(json, "gap_ratio", dissected.gap_ratio);
+  read(json, "speed_ratio", dissected.speed_ratio);
+  read(json, "flight_ratio", dissected.flight_ratio);
+  read(json, "exact_gap_ratio", dissected.exact_gap_ratio);
+  read(json, "exact_speed_ratio", dissected.exact_speed_ratio);
+  read(json, "exact_flight_ratio", dissected.exact_flight_ratio);
+  read(json, "collapse_time", dissected.collapse_time);
+  read(json, "collapse_time_error", dissected.collapse_time_error);
+  return dissected;
+}
+
+/// Absent from files of version 0.1.0 that were written before there were contact models.
+void read_contact(const Json& json, Summary::Contact& contact) {
+  read(json, "mean_restitution", contact.mean_restitution);
+  read(json, "made_elastic", contact.made_elastic);
+  read(json, "rotated", contact.rotated);
+}
+
+Summary summary_of(const Json& json, int dimension) {
+  Summary summary;
+  read(json, "collisions", summary.collisions);
+  read(json, "collisions_per_sphere", summary.collisions_per_sphere);
+  read(json, "time", summary.time);
+  read(json, "strain", summary.strain);
+  read(json, "outcome", summary.outcome);
+  read_collapse(json, summary);
+  read(json, "absorbed", summary.absorbed);
+  summary.averages = averages(json.at("averages"), dimension);
+  read(json, "ledger_error", summary.ledger_error);
+  read(json, "wall_seconds", summary.wall_seconds);
+  read(json, "collisions_per_second", summary.collisions_per_second);
+  read(json, "peak_memory_bytes", summary.peak_memory_bytes);
+  read(json, "ended_by", summary.ended_by);
+  read(json, "overlap_collisions", summary.overlap_collisions);
+  read(json, "overlaps_ignored", summary.overlaps_ignored);
+  read(json, "receding", summary.receding);
+  if (json.contains("anatomy")) {
+    summary.anatomy = {dissected(json.at("anatomy").at("hit")),
+                       dissected(json.at("anatomy").at("arrest"))};
+  }
+  if (json.contains("contact")) read_contact(json.at("contact"), summary.contact);
+  if (json.contains("self_check")) read(json, "self_check", summary.self_check);
+  return summary;
+}
+
+}  // namespace
+
+Summary summary_from_json(const std::string& text, int dimension) {
+  try {
+    return summary_of(Json::parse(text), dimension);
+  } catch (const Json::exception& error) {
+    reject(error.what());
+  }
+}
+
+}  // namespace zenosphere

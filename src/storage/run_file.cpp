@@ -1,0 +1,154 @@
+#include "storage/run_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "model/errors.hpp"
+#include "storage/anatomy_group.hpp"
+#include "storage/hdf5_series.hpp"
+
+namespace zenosphere {
+namespace {
+
+const std::string spheres_group = "particles/spheres/";
+
+template <class Action>
+auto reading(const std::filesystem::path& path, Action action) {
+  try {
+    return action();
+  } catch (const hdf5::Error& error) {
+    throw InputError(
+        fmt::format("{}: cannot be read ({}); it may be damaged", path.string(), error.what()));
+  }
+}
+
+void require_shape(const hdf5::Handle& file, const std::string& path,
+                   const std::vector<std::int64_t>& shape) {
+  if (hdf5::shape(file, path) != shape) throw hdf5::Error(path + " has another shape");
+}
+
+/// Rows of a dataset, each of `size` numbers.
+template <class T>
+std::vector<T> rows_of(const hdf5::Handle& file, const std::string& path, std::int64_t first,
+                       std::int64_t count, std::int64_t size) {
+  std::vector<T> values(static_cast<std::size_t>(count * size));
+  hdf5::read_rows(hdf5::opened(file, path), hdf5::type_of<T>, first, count, values.data());
+  return values;
+}
+
+template <class T>
+std::vector<T> column(const hdf5::Handle& file, const std::string& name, std::int64_t first,
+                      std::int64_t count) {
+  return rows_of<T>(file, "collisions/" + name, first, count, 1);
+}
+
+/// Row `n` of so many numbers.
+template <class T>
+std::vector<T> row(const std::vector<T>& values, std::int64_t n, std::int64_t size) {
+  const auto begin = values.begin() + n * size;
+  return {begin, begin + size};
+}
+
+}  // namespace
+
+RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_stored_info(path)) {
+  reading(path, [&] {
+    // Numbers are stored as they are, so that a file cannot hold more of them than it has bytes.
+    const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path));
+    if (info_.snapshots > 0 && info_.spheres > bytes / (info_.snapshots * info_.dimension * 8)) {
+      throw hdf5::Error("more spheres than bytes");
+    }
+    file_ = hdf5::opened_file(path);
+    const std::int64_t snapshots = info_.snapshots;
+    const std::int64_t dimension = info_.dimension;
+    for (const std::string name : {"position/value", "velocity/value"}) {
+      require_shape(file_, spheres_group + name, {snapshots, info_.spheres, dimension});
+    }
+    if (has_images()) {
+      require_shape(file_, spheres_group + "image/value", {snapshots, info_.spheres, dimension});
+    }
+    require_shape(file_, spheres_group + "box/edges/value", {snapshots, dimension, dimension});
+    require_shape(file_, spheres_group + "position/time", {snapshots});
+    for (const std::string name : {"k", "time", "i", "j", "gap", "normal_speed", "flags"}) {
+      require_shape(file_, "collisions/" + name, {info_.logged_collisions});
+    }
+  });
+}
+
+bool RunFile::has_images() const {
+  return hdf5::contains(hdf5::opened(file_, spheres_group), "image");
+}
+
+Snapshot RunFile::snapshot(std::int64_t n) const {
+  const auto held = static_cast<std::int64_t>(block_.steps.size());
+  if (n < block_.first || n >= block_.first + held) read_block(n);
+  const std::int64_t at = n - block_.first;
+  const std::int64_t components = info_.spheres * info_.dimension;
+  const auto place = static_cast<std::size_t>(at);
+  return {
+      .step = block_.steps[place],
+      .time = block_.times[place],
+      .positions = row(block_.positions, at, components),
+      .velocities = row(block_.velocities, at, components),
+      .box_edges = row(block_.box_edges, at, info_.dimension * info_.dimension),
+      .images = has_images() ? row(block_.images, at, components) : std::vector<std::int32_t>{}};
+}
+
+void RunFile::read_block(std::int64_t first) const {
+  constexpr std::int64_t most_components = 65536;  // half a MiB of positions
+  const std::int64_t components = info_.spheres * info_.dimension;
+  const std::int64_t count = std::clamp<std::int64_t>(
+      most_components / components, 1, std::max<std::int64_t>(info_.snapshots - first, 1));
+  const auto read = [&](const std::string& name, std::int64_t size) {
+    return rows_of<double>(file_, spheres_group + name, first, count, size);
+  };
+  block_ = reading(path_, [&] {
+    using Images = std::vector<std::int32_t>;
+    const std::string images = spheres_group + "image/value";
+    return Block{
+        .first = first,
+        .steps = rows_of<std::int64_t>(file_, spheres_group + "position/step", first, count, 1),
+        .times = read("position/time", 1),
+        .positions = read("position/value", components),
+        .velocities = read("velocity/value", components),
+        .box_edges = read("box/edges/value", info_.dimension * info_.dimension),
+        .images = has_images() ? rows_of<std::int32_t>(file_, images, first, count, components)
+                               : Images{}};
+  });
+}
+
+std::vector<CollisionRow> RunFile::rows(std::int64_t first, std::int64_t count) const {
+  return reading(path_, [&] {
+    const auto k = column<std::int64_t>(file_, "k", first, count);
+    const auto time = column<double>(file_, "time", first, count);
+    const auto i = column<std::int32_t>(file_, "i", first, count);
+    const auto j = column<std::int32_t>(file_, "j", first, count);
+    const auto gap = column<double>(file_, "gap", first, count);
+    const auto speed = column<double>(file_, "normal_speed", first, count);
+    const auto flags = column<std::uint8_t>(file_, "flags", first, count);
+    std::vector<CollisionRow> rows;
+    rows.reserve(k.size());
+    for (std::size_t n = 0; n < k.size(); ++n) {
+      rows.push_back({k[n], time[n], i[n], j[n], gap[n], speed[n], flags[n]});
+    }
+    return rows;
+  });
+}
+
+Anatomy RunFile::anatomy() const {
+  return reading(path_, [&] {
+    return read_anatomy(hdf5::opened(file_, "zenosphere"), info_.dimension, info_.spheres);
+  });
+}
+
+std::optional<std::string> RunFile::adjudication() const {
+  return reading(path_, [&]() -> std::optional<std::string> {
+    const hdf5::Handle own = hdf5::opened(file_, "zenosphere");
+    if (!hdf5::contains(own, "adjudication")) return std::nullopt;
+    return hdf5::text(own, "adjudication");
+  });
+}
+
+}  // namespace zenosphere

@@ -1,0 +1,268 @@
+#include "result/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "model/errors.hpp"
+
+namespace zenosphere {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Summary collapsed_summary() {
+  Summary summary;
+  summary.collisions = 90;
+  summary.collisions_per_sphere = 45;
+  summary.outcome = "collapsed";
+  summary.ended_by = "arrest";
+  summary.verdict = "true";
+  summary.separation = {12, 70, 0.25, 90, 0.5, 0.125};
+  summary.arrest = {true, 88, 0.5, 10, {{0, 3}, {1, 3}}, {}, {}, 1};
+  return summary;
+}
+
+Averages planar_averages() {
+  Averages averages;
+  averages.granular_temperature = 0.1;
+  averages.temperature_diagonal = {0.125, 0.075};
+  averages.pressure_tensor = {1, 2, 3, 4};
+  averages.to_time = 0.5;
+  return averages;
+}
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> result;
+  for (const auto& item : object.items()) result.push_back(item.key());
+  return result;
+}
+
+TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
+  const auto json = Json::parse(to_json(collapsed_summary(), 2));
+  EXPECT_EQ(keys(json), (std::vector<std::string>{"collisions",
+                                                  "collisions_per_sphere",
+                                                  "time",
+                                                  "strain",
+                                                  "outcome",
+                                                  "verdict",
+                                                  "separation",
+                                                  "arrest",
+                                                  "absorbed",
+                                                  "averages",
+                                                  "ledger_error",
+                                                  "wall_seconds",
+                                                  "collisions_per_second",
+                                                  "peak_memory_bytes",
+                                                  "ended_by",
+                                                  "overlap_collisions",
+                                                  "overlaps_ignored",
+                                                  "receding",
+                                                  "contact",
+                                                  "anatomy",
+                                                  "self_check"}));
+  EXPECT_EQ(keys(json["separation"]),
+            (std::vector<std::string>{"hits", "first_collision", "first_time", "last_collision",
+                                      "last_time", "longest_pause"}));
+  EXPECT_EQ(keys(json["arrest"]),
+            (std::vector<std::string>{"met", "collision", "time", "window", "pairs",
+                                      "extrapolated_time", "flight_ratio", "others_moving"}));
+  EXPECT_EQ(keys(json["averages"]),
+            (std::vector<std::string>{
+                "granular_temperature", "temperature_diagonal", "pressure", "pressure_tensor",
+                "collision_rate", "dissipation", "compressibility_factor", "from_time", "to_time",
+                "shear_work", "normal_speed", "other_work", "wall_pressure"}));
+}
+
+TEST(Summary, JsonIsOneLine) {
+  EXPECT_EQ(to_json(collapsed_summary(), 2).find('\n'), std::string::npos);
+}
+
+TEST(Summary, JsonTellsACollapseWithItsPairs) {
+  const auto json = Json::parse(to_json(collapsed_summary(), 2));
+  EXPECT_EQ(json["verdict"], "true");
+  EXPECT_EQ(json["separation"].dump(),
+            R"({"hits":12,"first_collision":70,"first_time":0.25,"last_collision":90,)"
+            R"("last_time":0.5,"longest_pause":0.125})");
+  EXPECT_EQ(json["arrest"].dump(),
+            R"({"met":true,"collision":88,"time":0.5,"window":10,"pairs":[[0,3],[1,3]],)"
+            R"("extrapolated_time":null,"flight_ratio":null,"others_moving":1})");
+}
+
+TEST(Summary, JsonHasNullWhereACriterionWasNeverMet) {
+  Summary summary;
+  summary.arrest.window = 10;
+  const auto json = Json::parse(to_json(summary, 3));
+  EXPECT_EQ(json["separation"].dump(),
+            R"({"hits":0,"first_collision":null,"first_time":null,"last_collision":null,)"
+            R"("last_time":null,"longest_pause":0.0})");
+  EXPECT_EQ(json["arrest"].dump(),
+            R"({"met":false,"collision":null,"time":null,"window":10,"pairs":[],)"
+            R"("extrapolated_time":null,"flight_ratio":null,"others_moving":null})");
+}
+
+TEST(Summary, JsonHasTensorsAsArraysOfRows) {
+  auto summary = collapsed_summary();
+  summary.averages = planar_averages();
+  const auto averages = Json::parse(to_json(summary, 2))["averages"];
+  EXPECT_EQ(averages["temperature_diagonal"].dump(), "[0.125,0.075]");
+  EXPECT_EQ(averages["pressure_tensor"].dump(), "[[1.0,2.0],[3.0,4.0]]");
+}
+
+TEST(Summary, JsonHasAveragesOfNullsWhereNothingWasAveraged) {
+  const auto averages = Json::parse(to_json(collapsed_summary(), 2))["averages"];
+  ASSERT_EQ(averages.size(), 13u);
+  for (const auto& value : averages) EXPECT_TRUE(value.is_null());
+}
+
+TEST(Summary, JsonHasNullForANumberThatIsNotFinite) {
+  auto summary = collapsed_summary();
+  summary.collisions_per_second = std::numeric_limits<double>::infinity();
+  summary.separation.first_time = std::nan("");
+  summary.averages = planar_averages();
+  summary.averages->temperature_diagonal[1] = std::nan("");
+  const auto json = Json::parse(to_json(summary, 2));
+  EXPECT_TRUE(json["collisions_per_second"].is_null());
+  EXPECT_TRUE(json["separation"]["first_time"].is_null());
+  EXPECT_EQ(json["averages"]["temperature_diagonal"].dump(), "[0.125,null]");
+}
+
+TEST(Summary, JsonKeepsEveryBitOfANumber) {
+  auto summary = collapsed_summary();
+  // Numbers that 15 or 16 digits lose, the smallest double, and a count beyond 2^53.
+  for (const double value : {0.1 + 0.2, 1.0 / 3, 5e-324, 1e-16, std::nextafter(1.0, 2.0)}) {
+    summary.time = value;
+    EXPECT_EQ(Json::parse(to_json(summary, 2))["time"].get<double>(), value);
+  }
+  summary.collisions = (std::int64_t{1} << 53) + 1;
+  EXPECT_EQ(Json::parse(to_json(summary, 2))["collisions"].get<std::int64_t>(), summary.collisions);
+}
+
+TEST(Summary, IsReadBackFromItsJson) {
+  Summary summary = collapsed_summary();
+  const std::string without = to_json(summary, 2);
+  EXPECT_EQ(to_json(summary_from_json(without, 2), 2), without);
+  summary.averages = planar_averages();
+  const std::string with = to_json(summary, 2);
+  EXPECT_EQ(to_json(summary_from_json(with, 2), 2), with);
+  EXPECT_THROW(summary_from_json("{}", 2), InputError);
+  EXPECT_THROW(summary_from_json("[1, 2", 2), InputError);
+}
+
+TEST(Summary, TextGivesAveragesThatFewCollisionsSupportInFewDigits) {
+  Summary summary;
+  summary.verdict = "none";
+  summary.averages = planar_averages();
+  summary.averages->granular_temperature = 0.123456789;
+  const auto told_after = [&](std::int64_t collisions) {
+    summary.collisions = collisions;
+    const std::string text = to_text(summary, 2, "");
+    const std::size_t begin = text.find("granular temperature") + 24;
+    return text.substr(begin, text.find(' ', begin) - begin);
+  };
+  EXPECT_EQ(told_after(23), "0.12");        // 1 / sqrt(23) is a fifth
+  EXPECT_EQ(told_after(10'000), "0.1235");  // a per cent
+  EXPECT_EQ(told_after(100'000'000), "0.123457");
+}
+
+TEST(Summary, IsReadBackWhereAveragesAreNoNumbersOfDouble) {
+  Summary summary = collapsed_summary();
+  summary.averages = planar_averages();
+  summary.averages->dissipation = summary.averages->temperature_diagonal[1] =
+      summary.averages->pressure_tensor[2] = std::numeric_limits<double>::infinity();
+  const std::string text = to_json(summary, 2);
+  EXPECT_EQ(to_json(summary_from_json(text, 2), 2), text);
+  EXPECT_TRUE(Json::parse(text)["averages"]["pressure_tensor"][1][0].is_null());
+}
+
+Summary::Dissected dissected_chain() {
+  Summary::Dissected found;
+  found.collision = 70;
+  found.time = 0.25;
+  found.clusters = 2;
+  found.spheres = 5;
+  found.contacts = 4;
+  found.chain = {4, 2, 3, 8, 9};
+  found.straightness = 0.995;
+  found.cycle = 4;
+  found.gap_ratio = 0.5;
+  found.collapse_time = 0.25000001;
+  found.collapse_time_error = 1e-9;
+  return found;
+}
+
+TEST(Summary, KeepsTheAnatomyInItsJsonAndTellsItInWords) {
+  Summary summary = collapsed_summary();
+  EXPECT_TRUE(Json::parse(to_json(summary, 2))["anatomy"]["hit"].is_null());
+  summary.anatomy.hit = dissected_chain();
+  const std::string json = to_json(summary, 2);
+  EXPECT_EQ(Json::parse(json)["anatomy"]["hit"]["chain"].dump(), "[4,2,3,8,9]");
+  EXPECT_TRUE(Json::parse(json)["anatomy"]["hit"]["speed_ratio"].is_null());
+  EXPECT_EQ(to_json(summary_from_json(json, 2), 2), json);
+  EXPECT_NE(to_text(summary, 2)
+                .find("cluster at first hit    5 spheres, a chain of 5, straightness "
+                      "0.995; gap x 0.5 per collision\n"),
+            std::string::npos);
+}
+
+TEST(Summary, IsReadFromAFileThatHasNoAnatomyOrContactModels) {
+  auto json = Json::parse(to_json(collapsed_summary(), 2));
+  json.erase("anatomy");
+  json.erase("contact");
+  EXPECT_FALSE(summary_from_json(json.dump(), 2).anatomy.hit);
+}
+
+TEST(Summary, TextBeginsWithTheVerdictInPlainWords) {
+  auto summary = collapsed_summary();
+  EXPECT_EQ(to_text(summary, 2).find("Collapse: "), 0u);
+  summary.verdict = "open";
+  EXPECT_EQ(to_text(summary, 2).find("Undecided: "), 0u);
+  summary.verdict = "temporary";
+  EXPECT_EQ(to_text(summary, 2).find("No arrest: "), 0u);
+  summary.verdict = "none";
+  EXPECT_EQ(to_text(summary, 2).find("No collapse: "), 0u);
+}
+
+TEST(Summary, TextTellsHowManyOthersStillMoveWhereTheClockStands) {
+  auto summary = collapsed_summary();
+  EXPECT_NE(to_text(summary, 2).find("\n1 other sphere was still moving and held up too: "),
+            std::string::npos);
+  EXPECT_NE(to_text(summary, 2).find("  0-3 1-3; 1 other sphere still moving\n"),
+            std::string::npos);
+  summary.arrest.others_moving = 0;
+  EXPECT_EQ(to_text(summary, 2).find("still moving"), std::string::npos);
+}
+
+TEST(Summary, OfAnOlderVersionTellsNeitherTheLastTimeNorWhoStillMoves) {
+  auto json = Json::parse(to_json(collapsed_summary(), 2));
+  json["separation"].erase("last_time");
+  json["separation"].erase("longest_pause");
+  json["arrest"].erase("others_moving");
+  const Summary old = summary_from_json(json.dump(), 2);
+  EXPECT_FALSE(old.separation.last_time);
+  EXPECT_FALSE(old.arrest.others_moving);
+}
+
+TEST(Summary, TextAlignsItsValuesInOneColumn) {
+  auto summary = collapsed_summary();
+  summary.averages = planar_averages();
+  const std::string text = to_text(summary, 2);
+  for (const char* line :
+       {"\n  collisions              90 (45 per sphere)\n", "\n  arrested pairs          0-3 1-3;",
+        "\n    along each axis       0.12          0.075\n",
+        "\n    tensor                1             2\n",
+        "\n                          3             4\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
+  }
+}
+
+TEST(Summary, TextNamesOnlyTheFirstPairsOfALargeCluster) {
+  auto summary = collapsed_summary();
+  summary.arrest.pairs.assign(9, {4, 5});
+  EXPECT_NE(to_text(summary, 2).find(" 4-5 4-5 4-5 4-5 4-5 4-5 and 3 more;"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace zenosphere
