@@ -8,9 +8,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from . import dissection
+from .anatomy import dissection
 from .errors import InputError
-from .flags import ABSORBED, CLOCK_STOOD, HIT, MADE_ELASTIC, OVERLAP, RECEDING  # noqa: F401
 
 FORMAT_VERSION = 1
 

@@ -8,11 +8,11 @@ import pytest
 from synthetic_store import write_store
 
 from zenosphere.__main__ import main
-from zenosphere.ensemble import Ensemble
-from zenosphere.ensemble_figures import _heading, _probabilities
-from zenosphere.ensemble_slices import chosen_parts, slices
+from zenosphere.drawing.pictures import Pictures
+from zenosphere.ensembles.figures import _heading, _probabilities
+from zenosphere.ensembles.slices import chosen_parts, slices
+from zenosphere.ensembles.store import Ensemble
 from zenosphere.errors import InputError
-from zenosphere.pictures import Pictures
 
 AXES = {"system.restitution": (0.1, 0.3, 0.5), "system.spheres": (100, 200)}
 

@@ -4,6 +4,7 @@ import ast
 import inspect
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -55,10 +56,7 @@ def test_everything_public_is_documented():
 @pytest.fixture
 def copy_of_the_sources(tmp_path):
     """A folder with the package, without its compiled part."""
-    copy = tmp_path / "zenosphere"
-    copy.mkdir()
-    for file in PACKAGE.glob("*.py"):
-        (copy / file.name).symlink_to(file)
+    shutil.copytree(PACKAGE, tmp_path / "zenosphere")
     return tmp_path
 
 

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from zenosphere.errors import InputError
-from zenosphere.run_file import HIT, RunFile
+from zenosphere.flags import HIT
+from zenosphere.run_file import RunFile
 
 
 def message(path, ask=lambda run: None):

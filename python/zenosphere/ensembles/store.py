@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from ..errors import InputError
 from . import findings
-from .errors import InputError
 
 FORMAT_VERSIONS = (1, 2, 3)  # 2 has the columns of [adjudicate], 3 that of the curvature too
 CRITERIA = ("separation", "arrest", "false positive", "open")

@@ -4,10 +4,9 @@ import numpy as np
 from matplotlib.patches import Circle
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
-from . import words
+from ..drawing import words
+from ..drawing.pictures import HIT_COLOUR, INK, MARK_COLOUR, above, points
 from .dissection import QUANTITIES, plane_of
-from .panels import above
-from .pictures import HIT_COLOUR, INK, MARK_COLOUR, points
 
 LABELS = {"gap": "Gap closed\n(diameters)", "normal_speed": "Closing speed\n(diameters/time unit)",
           "flight": "Flight\n(time units)"}
