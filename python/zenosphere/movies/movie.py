@@ -11,10 +11,10 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from . import words
+from ..drawing import words
+from ..drawing.pictures import INK, STYLE
+from ..errors import InputError, OutputError
 from .cell import Cell, View
-from .errors import InputError, OutputError
-from .pictures import INK, STYLE
 
 WIDTH, HEIGHT = 7.2, 6.4  # inches; even numbers of pixels, which H.264 asks for
 DOTS_PER_INCH = 150

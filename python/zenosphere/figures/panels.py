@@ -5,9 +5,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
 
-from . import windows, words
-from .pictures import HEIGHT, HIT_COLOUR, INK, MARK_COLOUR, WIDTH, points
-from .run_file import HIT
+from ..drawing import words
+from ..drawing.pictures import HEIGHT, HIT_COLOUR, INK, MARK_COLOUR, WIDTH, above, points
+from ..flags import HIT
+from . import windows
 from .thinning import PLOT_FLOOR, PLOT_LIMIT, plotted_separation, thinned
 
 DOTS_PER_INCH = 300
@@ -44,13 +45,6 @@ def _make_room(figure, column):
     if left < EDGE:
         more = (EDGE - left) / figure.get_figwidth()
         figure.subplots_adjust(left=figure.subplotpars.left + more)
-
-
-def above(axes, text, lift, **style):
-    """Text over the left end of a panel; lift: of its foot, points."""
-    axes.annotate(text.replace(words.SPACE, " "), xy=(0, 1), xycoords="axes fraction",
-                  xytext=(0, points(lift)), textcoords="offset points", va="bottom",
-                  annotation_clip=False, **style)  # mathtext has no no-break space
 
 
 def separation(axes, run, window):

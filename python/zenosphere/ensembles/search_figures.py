@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from . import ensemble_panels as panels
+from ..csv_file import write_csv
+from ..drawing.pictures import Pictures, made_folder, points
+from . import panels
 from .crossing import Crossing
-from .ensemble_figures import figure_grid
-from .ensemble_table import write_csv
-from .pictures import Pictures, made_folder, points
+from .figures import figure_grid
 
 MOST_PANELS = 24
 

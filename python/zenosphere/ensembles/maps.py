@@ -7,11 +7,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from . import ensemble_panels as panels
-from . import words
-from .ensemble import CRITERIA
-from .pictures import PAGE_WIDTH, points
+from ..drawing import words
+from ..drawing.pictures import PAGE_WIDTH, points
+from . import panels
 from .proportions import fraction
+from .store import CRITERIA
 
 CELL_HEIGHT, LEAST_CELL = 0.27, 0.17  # inches: two decimals in 6 points are as wide
 LEAST_HEIGHT, SMALLEST_CELL = 0.11, 0.02  # inches: with a number, without

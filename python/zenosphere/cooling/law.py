@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import InputError
+from ..errors import InputError
 
 EARLY = 0.5  # a fitted tau uses the snapshots with T above this fraction of T0
 

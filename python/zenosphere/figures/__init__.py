@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 from typing import Callable
 
-from . import anatomy_panels, panels, windows
-from .pictures import Pictures, made_folder
+from ..anatomy import panels as anatomy_panels
+from ..drawing.pictures import Pictures, made_folder
+from . import panels, windows
 
 USUAL = Pictures(formats=("png", "pdf"))
 

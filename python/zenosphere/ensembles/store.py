@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from ..errors import InputError
 from . import findings
-from .errors import InputError
 
 FORMAT_VERSIONS = (1, 2, 3)  # 2 has the columns of [adjudicate], 3 that of the curvature too
 CRITERIA = ("separation", "arrest", "false positive", "open")
@@ -78,7 +78,7 @@ class Ensemble:
     def __init__(self, path):
         self.path = Path(path)
         if not self.path.is_file():
-            raise InputError(f"{path}: no such file; give the store of a sweep")
+            raise InputError(f"{path}: does not exist; name the store of a sweep")
         try:
             with closing(self._opened()) as store:
                 self._read_plan(store)

@@ -4,14 +4,15 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from . import ensemble_panels as panels
-from . import words
-from .ensemble import CRITERIA
-from .ensemble_maps import finding_maps, probability_maps
-from .ensemble_slices import chosen_parts, slices
-from .ensemble_table import crossing_rows, crossings_along, probability_rows, write_csv
+from ..csv_file import write_csv
+from ..drawing import words
+from ..drawing.pictures import PAGE_WIDTH, Pictures, made_folder, points
+from . import panels
 from .findings import finding_rows
-from .pictures import PAGE_WIDTH, Pictures, made_folder, points
+from .maps import finding_maps, probability_maps
+from .slices import chosen_parts, slices
+from .store import CRITERIA
+from .table import crossing_rows, crossings_along, probability_rows
 
 LEAST_PANEL = 1.0  # inches, width of one of many
 SPREAD = 0.5  # of the step from point to point, over which the series lie side by side

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import matplotlib
 from cycler import cycler
 
-from .errors import InputError, OutputError
+from ..errors import InputError, OutputError
+from . import words
 
 FORMATS = ("png", "pdf", "svg")
 INCH = 2.54  # cm
@@ -78,6 +79,13 @@ class Pictures:
 def points(size):
     """A size of text (points) in a figure with 10 points for its labels, scaled to this one."""
     return size * matplotlib.rcParams["font.size"] / STYLE["font.size"]
+
+
+def above(axes, text, lift, **style):
+    """Text over the left end of a panel; lift: of its foot, points."""
+    axes.annotate(text.replace(words.SPACE, " "), xy=(0, 1), xycoords="axes fraction",
+                  xytext=(0, points(lift)), textcoords="offset points", va="bottom",
+                  annotation_clip=False, **style)  # mathtext has no no-break space
 
 
 def parsed_formats(text):

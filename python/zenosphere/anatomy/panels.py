@@ -4,10 +4,9 @@ import numpy as np
 from matplotlib.patches import Circle
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
-from . import words
+from ..drawing import words
+from ..drawing.pictures import HIT_COLOUR, INK, MARK_COLOUR, above, points
 from .dissection import QUANTITIES, plane_of
-from .panels import above
-from .pictures import HIT_COLOUR, INK, MARK_COLOUR, points
 
 LABELS = {"gap": "Gap closed\n(diameters)", "normal_speed": "Closing speed\n(diameters/time unit)",
           "flight": "Flight\n(time units)"}
@@ -129,8 +128,8 @@ def _counts(quantity, rows, resolution):
 
 
 def _place_name(which):
-    return "Collisions of the cluster, from " + (
-        "the first hit on" if which == "hit" else "where the clock stopped")
+    return "Collisions of the cluster, counted from " + (
+        "the first hit" if which == "hit" else "where the clock stopped")
 
 
 def _measured(found, quantity, rows):

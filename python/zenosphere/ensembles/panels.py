@@ -3,8 +3,8 @@
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import words
-from .pictures import COLOURS, INK, points
+from ..drawing import words
+from ..drawing.pictures import COLOURS, INK, points
 from .proportions import fraction, wilson_interval
 
 MARKERS = "osD^vPX"

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from .run_file import HIT
+from ..flags import HIT
 
 # The paper: the criterion is met after fewer than ten collisions per particle.
 EARLY_PER_SPHERE = 10

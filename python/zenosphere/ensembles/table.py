@@ -1,14 +1,12 @@
 """What an ensemble comes to, as tables: probabilities of each point, and where they cross 1/2."""
 
-import csv
 import itertools
 
 import numpy as np
 
 from .crossing import crossing
-from .ensemble import CRITERIA
-from .errors import OutputError
 from .proportions import fraction, wilson_interval
+from .store import CRITERIA
 
 
 def probability_rows(ensemble, counts):
@@ -56,25 +54,3 @@ def crossings_along(values, counts, x):
         for place in np.ndindex(found[name].shape):
             found[name][place] = crossing(values, met[place], done[place])
     return found
-
-
-def write_csv(path, rows):
-    """Writes dicts of the same keys as CSV, numbers in 6 digits; nothing known is left empty."""
-    try:
-        with open(path, "w", newline="", encoding="utf-8") as file:
-            writer = None
-            for row in rows:
-                if writer is None:
-                    writer = csv.DictWriter(file, row.keys(), lineterminator="\n")
-                    writer.writeheader()
-                writer.writerow({key: _written(value) for key, value in row.items()})
-    except OSError as error:
-        raise OutputError(f"{path}: cannot be written ({error.strerror});"
-                          " choose another folder with -o") from error
-    return path
-
-
-def _written(value):
-    if value is None or isinstance(value, str):
-        return value
-    return "" if np.isnan(value) else f"{value:.6g}" if value != int(value) else int(value)

@@ -3,9 +3,9 @@
 import os
 from pathlib import Path
 
-from . import words
-from .errors import OutputError
-from .figures import captions
+from ..drawing import words
+from ..errors import OutputError
+from . import captions
 
 
 def write_report(runs, report, figures):

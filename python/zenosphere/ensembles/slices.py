@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .ensemble import Counts, Ensemble
-from .errors import InputError
+from ..errors import InputError
+from .store import Counts, Ensemble
 
 USUAL = ("system.restitution", "system.solids_volume_fraction", "system.spheres")
 

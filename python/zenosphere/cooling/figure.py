@@ -3,9 +3,10 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from . import cooling, words
-from .errors import InputError
-from .pictures import HEIGHT, HIT_COLOUR, INK, MARK_COLOUR, WIDTH, points
+from ..drawing import words
+from ..drawing.pictures import HEIGHT, HIT_COLOUR, INK, MARK_COLOUR, WIDTH, points
+from ..errors import InputError
+from . import law as cooling
 
 
 def draw_cooling(run, path, pictures):

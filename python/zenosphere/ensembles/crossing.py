@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from zenosphere.proportions import wilson_interval
+from .proportions import wilson_interval
 
 DROP_95 = 1.9207  # half of the 95 % point of chi squared with one degree of freedom, 3.8415
 NODES = 201  # places at which the profile is known; between them it is interpolated
