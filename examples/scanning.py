@@ -12,7 +12,7 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parent
 sys.path.append(str(EXAMPLES.parent / "python"))
 
-from zenosphere.pictures import HEIGHT, WIDTH, Pictures  # noqa: E402
+from zenosphere.drawing.pictures import HEIGHT, WIDTH, Pictures  # noqa: E402
 
 
 def program():

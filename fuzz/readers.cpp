@@ -17,8 +17,8 @@
 #include "storage/info.hpp"
 #include "storage/integrity.hpp"
 #include "storage/output_reader.hpp"
-#include "storage/rehearsal.hpp"
 #include "storage/run_file.hpp"
+#include "storage/sandboxed_read.hpp"
 #include "verify/verify.hpp"
 
 namespace zenosphere::fuzz {
@@ -92,7 +92,7 @@ void sweep_file(Bytes bytes) {
   attempt([&] {
     if (names_a_file(text)) return;
     const Sweep sweep = parse_sweep(text, "sweep.toml");
-    const CaseDraft kept(case_format::entries_of(sweep.base_text, "store"), "store");
+    const CaseTemplate kept(case_format::entries_of(sweep.base_text, "store"), "store");
     const auto overrides = overrides_of(sweep, 0);
     const Case first = case_of_run(sweep.base, sweep.stop, overrides);
     const Case again = case_of_run(kept, sweep.stop, overrides);
@@ -144,7 +144,7 @@ void verified_file(Bytes bytes) {
     run.adjudication();
   };
   attempt([&] {
-    rehearse(file.path(), static_cast<std::int64_t>(bytes.size()), read_for_a_page);
+    sandboxed_read(file.path(), static_cast<std::int64_t>(bytes.size()), read_for_a_page);
     read_for_a_page();
   });
 }

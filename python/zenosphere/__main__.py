@@ -8,16 +8,17 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from .analysis.command import add_analyse
-from .cooling_figure import draw_cooling
-from .ensemble import Ensemble
-from .ensemble_figures import draw_ensemble
+from .command_parser import CommandParser
+from .cooling.figure import draw_cooling
+from .drawing.pictures import FORMATS, Pictures, parsed_formats, parsed_size
+from .ensembles.figures import draw_ensemble
+from .ensembles.search_figures import draw_search
+from .ensembles.store import Ensemble
 from .errors import InputError, OutputError
 from .figures import FALSE_POSITIVE, TRUE_COLLAPSE, draw_general_figures, draw_paper_figures
-from .movie import COLOURINGS, draw_movie
-from .pictures import FORMATS, Pictures, parsed_formats, parsed_size
-from .report import write_report
+from .figures.report import write_report
+from .movies.movie import COLOURINGS, draw_movie
 from .run_file import RunFile
-from .search_figures import draw_search
 
 
 def main(arguments=None):
@@ -109,8 +110,8 @@ def _ensemble(options):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog=os.environ.get("ZENOSPHERE_COMMAND", "python3 -m zenosphere"), description=sys.modules[
-        "zenosphere"].__doc__)
+    parser = CommandParser(prog=os.environ.get("ZENOSPHERE_COMMAND", "python3 -m zenosphere"),
+                           description=sys.modules["zenosphere"].__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
     figures = commands.add_parser("figures", help="draw the figures of runs")

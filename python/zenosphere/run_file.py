@@ -8,9 +8,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from . import dissection
+from .anatomy import dissection
 from .errors import InputError
-from .flags import ABSORBED, CLOCK_STOOD, HIT, MADE_ELASTIC, OVERLAP, RECEDING  # noqa: F401
 
 FORMAT_VERSION = 1
 
@@ -212,7 +211,7 @@ class CollisionLog:
 
 def _opened(path):
     if not path.is_file():
-        raise InputError(f"{path}: no such file (looked in {Path.cwd()}); check the path")
+        raise InputError(f"{path}: does not exist; name an output file of a run")
     try:
         if not h5py.is_hdf5(path):
             raise InputError(f"{path}: not an HDF5 file (begins with {_beginning(path)!r});"

@@ -118,7 +118,7 @@ void Database::Close::operator()(sqlite3* database) const { sqlite3_close(databa
 Database::Database(const std::filesystem::path& path, Access access) : name_(path.string()) {
   std::error_code ignored;
   if (access == Access::read && !std::filesystem::exists(path, ignored)) {
-    throw InputError(name_ + ": does not exist; check the name of the store");
+    throw InputError(name_ + ": does not exist; name the store of a sweep");
   }
   const FileKind kind = access == Access::read ? kind_of_file_at(path) : FileKind::other;
   if (kind != FileKind::other && kind != FileKind::store) {

@@ -66,7 +66,7 @@ class Statement {
   std::string name_;  ///< of the file
 };
 
-/// An SQLite file. It is told to trust no schema that somebody else has written.
+/// An SQLite file. It is told to trust no schema of unknown origin.
 ///
 /// What goes wrong is an OutputError that names the file and says what can be done.
 class Database {

@@ -14,7 +14,7 @@ namespace {
 
 /// A case takes some 50 microseconds to read.
 constexpr std::int64_t most_points_tried = 2000;
-/// More lines than this nobody reads.
+/// More lines than this are not read.
 constexpr std::size_t most_lines = 50;
 
 /// The problems of many cases, each line once, in the order in which they were found.

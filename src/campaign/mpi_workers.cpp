@@ -28,7 +28,7 @@ namespace {
 /// What a message is about.
 enum Tag : int { task_tag = 1, cancel_tag, end_tag, result_tag };
 
-/// A task in work and one that waits: nobody idles while a result travels.
+/// A task in work and one that waits: no rank idles while a result travels.
 constexpr std::size_t tasks_at_once = 2;
 
 /// Between looks for a message: MPI itself would wait with a core at full load, which on a machine
@@ -39,7 +39,7 @@ void send(const std::string& text, int rank, Tag tag) {
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, rank, tag, MPI_COMM_WORLD);
 }
 
-/// Messages on their way. A long one is only taken when its rank has time: nobody waits for that.
+/// Messages on their way. A long one is only taken when its rank has time: none waits for that.
 }  // namespace
 
 class MpiWorkers::Outbox {

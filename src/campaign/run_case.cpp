@@ -39,7 +39,7 @@ std::optional<std::int64_t> count_in(const Entry* entry) {
 
 /// Ends the run after so many collisions of each sphere, unless the case ends it before. What is
 /// wrong with the case's own counts is left for the case reader to tell.
-void add_stop(const CaseDraft& base, const StopRule& stop, std::vector<Entry>& overrides) {
+void add_stop(const CaseTemplate& base, const StopRule& stop, std::vector<Entry>& overrides) {
   if (!stop.collisions_per_sphere) return;
   const auto spheres = count_in(entry_of("system.spheres", base.entries(), overrides));
   if (!spheres) return;
@@ -52,7 +52,7 @@ void add_stop(const CaseDraft& base, const StopRule& stop, std::vector<Entry>& o
   overrides.push_back({"run", "collisions", most, place, place});
 }
 
-Case case_of_run(const CaseDraft& base, const StopRule& stop, std::vector<Entry> overrides,
+Case case_of_run(const CaseTemplate& base, const StopRule& stop, std::vector<Entry> overrides,
                  Problems& problems) {
   add_stop(base, stop, overrides);
   Case values = base.with(std::move(overrides), problems);
@@ -62,12 +62,12 @@ Case case_of_run(const CaseDraft& base, const StopRule& stop, std::vector<Entry>
 
 }  // namespace
 
-Case case_of_run(const CaseDraft& base, const StopRule& stop, std::vector<Entry> overrides) {
+Case case_of_run(const CaseTemplate& base, const StopRule& stop, std::vector<Entry> overrides) {
   Problems problems;
   return case_of_run(base, stop, std::move(overrides), problems);
 }
 
-Case case_of_run(const CaseDraft& base, const StopRule& stop,
+Case case_of_run(const CaseTemplate& base, const StopRule& stop,
                  const std::vector<std::string>& overrides) {
   Problems problems;
   auto entries = case_format::entries_of(overrides, problems);

@@ -11,7 +11,7 @@ namespace zenosphere {
 ///
 /// \param overrides  its axis values and its seed
 /// Throws InputError where they make no case.
-Case case_of_run(const CaseDraft& base, const StopRule& stop,
+Case case_of_run(const CaseTemplate& base, const StopRule& stop,
                  std::vector<case_format::Entry> overrides);
 
 /// The axis values and the seed of a run, as arguments of `--set`, in a store that is begun with
@@ -19,7 +19,7 @@ Case case_of_run(const CaseDraft& base, const StopRule& stop,
 std::vector<std::string> overrides_of(const Sweep& sweep, std::int64_t run);
 
 /// The case of one run from arguments of `--set`, as a store gives them.
-Case case_of_run(const CaseDraft& base, const StopRule& stop,
+Case case_of_run(const CaseTemplate& base, const StopRule& stop,
                  const std::vector<std::string>& overrides);
 
 }  // namespace zenosphere

@@ -45,7 +45,7 @@ struct AdjudicationResult {
 struct RunResult {
   std::int64_t run = 0;
   std::variant<Dropped, Unchanged, Failure, Summary> outcome;
-  std::optional<AdjudicationResult> adjudication{};  ///< none: no hit, or nobody asked
+  std::optional<AdjudicationResult> adjudication{};  ///< none: no hit, or not asked for
 };
 
 /// How a run is done, besides what its case says.
@@ -57,7 +57,7 @@ struct RunRules {
 
 /// What all runs of a sweep share.
 struct RunSetting {
-  CaseDraft base;
+  CaseTemplate base;
   StopRule stop;
   std::optional<AdjudicationRequest> adjudicate{};
 

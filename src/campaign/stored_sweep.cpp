@@ -102,7 +102,7 @@ std::vector<StoredAxis> stored_axes(Database& database) {
 }
 
 /// Every key of a case with its value as TOML.
-std::map<std::string, std::string> texts_of(const CaseDraft& base) {
+std::map<std::string, std::string> texts_of(const CaseTemplate& base) {
   std::map<std::string, std::string> texts;
   for (const case_format::Entry& entry : base.entries()) {
     texts[entry.key()] = std::holds_alternative<case_format::TableHead>(entry.value)
@@ -163,7 +163,7 @@ std::vector<std::string> differences(const StoredSweep& stored, const Sweep& swe
     lines.push_back(fmt::format("the axes are {} ({} in the store)", now, before));
     return lines;  // what else differs, differs because of that
   }
-  const CaseDraft base(case_format::entries_of(sweep.base_text, sweep.name), sweep.name);
+  const CaseTemplate base(case_format::entries_of(sweep.base_text, sweep.name), sweep.name);
   compare(texts_of(stored.base), texts_of(base), lines);
   if (sweep.seeds < stored.seeds) {
     lines.push_back(fmt::format("sweep.seeds is {} ({} in the store)", sweep.seeds, stored.seeds));

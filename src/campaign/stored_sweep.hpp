@@ -24,7 +24,7 @@ struct StoredAxis {
 /// What a store says about its sweep.
 struct StoredSweep {
   std::string sweep_file;  ///< the text of it that the store was extended to last
-  CaseDraft base;
+  CaseTemplate base;
   std::vector<StoredAxis> axes;
   std::int64_t seeds = 0;
   std::int64_t master_seed = 0;

@@ -9,7 +9,7 @@
 #include "campaign/adjudication_request.hpp"
 #include "campaign/axis.hpp"
 #include "campaign/boundary_request.hpp"
-#include "case/case_draft.hpp"
+#include "case/case_template.hpp"
 
 namespace zenosphere {
 
@@ -31,7 +31,7 @@ struct StopRule {
 struct Sweep {
   std::string name;               ///< of the file
   std::string text;               ///< as it was read, byte for byte
-  CaseDraft base;                 ///< what all runs share; its places are those of the user's files
+  CaseTemplate base;              ///< what all runs share; its places are those of the user's files
   std::string base_text;          ///< the same as a case file that needs no other, without a seed
   std::vector<SweepAxis> axes{};  ///< the last one varies fastest
   std::int64_t seeds = 0;         ///< runs at each point of the grid

@@ -130,7 +130,7 @@ void check_whole(const Told& told, const std::string& name, Problems& problems) 
   }
 }
 
-CaseDraft base_of(const Told& told, const std::string& text, const std::string& name) {
+CaseTemplate base_of(const Told& told, const std::string& text, const std::string& name) {
   if (!told.case_file) return {case_format::entries_of(text, name, "case"), name};
   const std::filesystem::path folder = std::filesystem::path(name).parent_path();
   const std::string file = (folder / *told.case_file).string();
@@ -149,7 +149,7 @@ void make_files_absolute(std::vector<SweepAxis>& axes, const std::string& base) 
 
 /// The base case as a text that stands for itself: no comments, no seed, no key of an axis, and
 /// absolute names of files.
-std::string base_text_of(const CaseDraft& base, const std::vector<SweepAxis>& axes) {
+std::string base_text_of(const CaseTemplate& base, const std::vector<SweepAxis>& axes) {
   std::string text;
   for (const case_format::Entry& entry : base.entries()) {
     if (std::holds_alternative<case_format::TableHead>(entry.value)) {
@@ -184,7 +184,7 @@ Sweep parse_sweep(std::string text, const std::string& name) {
   if (told.boundary) told.search = boundary_of(*told.boundary, told.axes, problems);
   check_whole(told, name, problems);
   problems.throw_if_any();
-  CaseDraft base = base_of(told, text, name);
+  CaseTemplate base = base_of(told, text, name);
   make_files_absolute(told.axes, base.name());
   std::string base_text = base_text_of(base, told.axes);
   Sweep sweep{.name = name,

@@ -20,7 +20,7 @@ class Workers {
   /// How many runs are done at the same time.
   virtual std::size_t count() const = 0;
 
-  /// How many more tasks may be submitted now, so that nobody idles and little is held in memory.
+  /// How many more tasks may be submitted now, so that none idles and little is held in memory.
   virtual std::size_t room() const = 0;
 
   virtual void submit(RunTask task) = 0;

@@ -211,7 +211,7 @@ namespace {
 std::string numbers_text(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) {
-    if (text.size() > longest_shown) break;  // nobody will see it
+    if (text.size() > longest_shown) break;  // the rest is not shown
     text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
   }
   return '[' + text + ']';

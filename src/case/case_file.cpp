@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "case/case_draft.hpp"
 #include "case/case_entries.hpp"
 #include "case/case_table.hpp"
+#include "case/case_template.hpp"
 #include "case/species_table.hpp"
 #include "text/file_kind.hpp"
 
@@ -65,7 +65,7 @@ Case read_case(const std::filesystem::path& file, std::span<const std::string> o
 }
 
 Case parse_case(std::string text, const std::string& name, std::span<const std::string> overrides) {
-  Case values = CaseDraft(case_format::entries_of(text, name), name).with(overrides);
+  Case values = CaseTemplate(case_format::entries_of(text, name), name).with(overrides);
   values.text = std::move(text);
   return values;
 }
@@ -74,7 +74,7 @@ Case parse_written_case(std::string text, const std::string& name,
                         std::span<const std::string> overrides) {
   std::vector<case_format::Entry> entries = case_format::entries_of(text, name);
   for (auto& entry : entries) entry.key_place.text = entry.value_place.text = name;
-  Case values = CaseDraft(std::move(entries), name).with(overrides);
+  Case values = CaseTemplate(std::move(entries), name).with(overrides);
   values.text = std::move(text);
   return values;
 }

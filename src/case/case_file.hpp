@@ -31,7 +31,7 @@ std::string case_text(const std::filesystem::path& file);
 /// The absolute name of a file that another one names relative to its own folder.
 std::string absolute_from(const std::string& name, const std::string& path);
 /// The case of a TOML text that a program has written: as parse_case, but problems name the key
-/// only, `name: key = value (why); what to do`, since nobody has seen the lines.
+/// only, `name: key = value (why); what to do`, since the user has not seen the lines.
 Case parse_written_case(std::string text, const std::string& name,
                         std::span<const std::string> overrides);
 

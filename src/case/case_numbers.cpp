@@ -34,7 +34,7 @@ std::string_view next_digits(std::string_view& text) {
 
 bool is_nought(char c) { return c == '0' || c == '_'; }
 
-/// Digits as messages show them: cut where nobody reads on.
+/// Digits as messages show them: cut where reading on helps no more.
 std::string shortened(std::string_view digits) {
   constexpr std::size_t longest = 60;
   const std::string_view begin = digits.substr(0, longest);

@@ -107,7 +107,7 @@ void Reader::reject_unknown_key(const Entry& entry) {
 /// Reports the value that was given for a key and remembers that it is not to be used.
 void Reader::blame(std::string_view path, const std::string& objection) {
   const auto given = given_.find(path);
-  assert(given != given_.end());  // nobody is to blame for a default
+  assert(given != given_.end());  // a default is no mistake of the user
   const Entry& entry = *given->second;
   problems_.add(entry.value_place, fmt::format("{} = {} {}", path, shown(entry.value), objection));
   unsettled_.emplace(path);

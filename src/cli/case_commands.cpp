@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include "cli/shipped_cases.hpp"
 #include "cli/values.hpp"
 #include "model/errors.hpp"
+#include "storage/text_target.hpp"
 #include "text/spelling.hpp"
 
 namespace zenosphere {
@@ -81,24 +81,17 @@ const ShippedCase& case_named(const std::string& name, const std::string& typed,
 }
 
 void write_case(const std::filesystem::path& file, std::string_view text, bool overwrite) {
-  std::error_code ignored;
-  if (!overwrite && std::filesystem::exists(file, ignored)) {
-    throw OutputError(
-        fmt::format("{}: exists already; choose another name or pass --overwrite", file.string()));
-  }
+  std::error_code ignored;  // the file tells what is wrong
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) {
-    throw OutputError(file.string() + ": could not be written; choose another place");
-  }
+  TextTarget target(file, overwrite ? Existing::replace : Existing::refuse);
+  target.file().write(text);
+  target.finish();
 }
 
 /// Writes a case where the user wants it, and says what to do with it.
 void hand_out(const ShippedCase& shipped, const std::string& file, bool overwrite) {
   require_name(file);
-  if (file == "-") return print(std::string(shipped.text));
+  if (is_standard_output(file)) return print(std::string(shipped.text));
   write_case(file, shipped.text, overwrite);
   const std::string stem = std::filesystem::path(file).stem().string();
   const bool is_sweep = shipped.text.find("\n[sweep]") != std::string_view::npos;

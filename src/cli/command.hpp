@@ -21,7 +21,7 @@ void add_adjudicate(CLI::App& app, int& status);
 void add_verify(CLI::App& app, int& status);
 void add_sweep(CLI::App& app, int& status);
 /// The commands below `sweep` that look at a sweep without running it.
-void add_sweep_looks(CLI::App& sweep, int& status);
+void add_sweep_show_and_csv(CLI::App& sweep, int& status);
 void add_export(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
 void add_new(CLI::App& app, int& status);

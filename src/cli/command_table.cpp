@@ -56,15 +56,15 @@ std::string_view text_for(std::span<const Example> texts, std::string_view comma
 }
 
 struct ExitCode {
-  std::string_view line;
-  std::string_view commands;  ///< that can have it, with a blank around each; empty: all
+  std::string_view meaning;
+  std::string_view commands;         ///< that can have it, with a blank around each; empty: all
+  std::string_view further = {};     ///< what else it means
+  std::string_view further_of = {};  ///< to which commands
 };
 constexpr std::array exit_codes{
     ExitCode{"0 done, whatever the verdict", ""},
-    ExitCode{"1 internal error", ""},
-    ExitCode{"1 runs of the sweep have failed", " sweep "},
-    ExitCode{"2 wrong input", ""},
-    ExitCode{"2 the file contradicts itself", " verify "},
+    ExitCode{"1 internal error", "", ", or runs of the sweep have failed", " sweep "},
+    ExitCode{"2 wrong input", "", ", or the file contradicts itself", " verify "},
     ExitCode{"3 collapsed, only with --fail-on-collapse", " run resume "},
     ExitCode{"4 output could not be written",
              " run resume adjudicate sweep sweep/csv export report new examples figures report-md "
@@ -130,11 +130,15 @@ std::string exit_code_lines(std::string_view command) {
   std::string name = ' ' + std::string(command);
   std::replace(name.begin() + 1, name.end(), ' ', '/');
   name += ' ';
+  const auto is_among = [&](std::string_view commands) {
+    return command.empty() || commands.find(name) != std::string_view::npos;
+  };
   std::string text;
   for (const ExitCode& code : exit_codes) {
-    const bool is_possible =
-        command.empty() || code.commands.empty() || code.commands.find(name) != std::string::npos;
-    if (is_possible) text += std::string(code.line) + '\n';
+    if (!code.commands.empty() && !is_among(code.commands)) continue;
+    text += code.meaning;
+    if (is_among(code.further_of)) text += code.further;
+    text += '\n';
   }
   return text;
 }

@@ -19,7 +19,7 @@ namespace zenosphere {
 
 namespace {
 
-/// What somebody sees who types the program's name alone.
+/// What is shown where the program's name is typed alone.
 constexpr const char* overview =
     "zenosphere: event-driven inelastic hard spheres. Did they collapse, or did the arithmetic?\n"
     "\n"

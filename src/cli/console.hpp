@@ -10,7 +10,7 @@ void print(const std::string& text);
 /// Writes to standard error, where what cannot be written is lost.
 void print_aside(const std::string& text);
 
-/// Whether somebody may look at a progress line on standard error.
+/// Whether standard error is a terminal, where a progress line can be seen.
 bool is_terminal();
 
 /// Columns that a line of the terminal has for a progress line; 79 where it does not tell.

@@ -11,7 +11,7 @@
 #include "cli/outputs.hpp"
 #include "cli/values.hpp"
 #include "export/export_run.hpp"
-#include "export/text_target.hpp"
+#include "storage/text_target.hpp"
 #include "text/printable.hpp"
 
 namespace zenosphere {
@@ -47,7 +47,7 @@ int export_output(const Arguments& arguments) {
                        .target = arguments.target,
                        .format = formats.at(arguments.format),
                        .selection = arguments.selection,
-                       .occupied = arguments.overwrite ? Occupied::replace : Occupied::refuse,
+                       .existing = arguments.overwrite ? Existing::replace : Existing::refuse,
                        .interrupt = &catch_signals()};
   const Exported exported = export_run(request);
   const std::string text = arguments.quiet ? "" : printable(to_text(exported, request));

@@ -4,8 +4,8 @@
 
 #include <system_error>
 
-#include "export/text_target.hpp"
 #include "model/errors.hpp"
+#include "storage/text_target.hpp"
 
 namespace zenosphere {
 

@@ -50,7 +50,7 @@ int report(Arguments& arguments) {
   for (const auto& shown : {std::filesystem::path(arguments.file), journal_of(arguments.file)}) {
     require_other_than(shown, arguments.page, "what it is to show");
   }
-  const auto existing = arguments.overwrite ? ExistingPage::replace : ExistingPage::refuse;
+  const auto existing = arguments.overwrite ? Existing::replace : Existing::refuse;
   const bool is_sweep = is_database(arguments.file);
   (is_sweep ? write_sweep_page : write_run_page)(arguments.file, arguments.page, existing);
   if (!arguments.quiet) print(printable(written_text(arguments, is_sweep)));

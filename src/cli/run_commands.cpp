@@ -37,7 +37,7 @@ RunOptions run_options(const Arguments& arguments) {
   RunOptions options;
   options.interrupt = &catch_signals();
   options.output = arguments.output;
-  if (arguments.overwrite) options.existing = OutputFile::Existing::replace;
+  if (arguments.overwrite) options.existing = Existing::replace;
   if (!arguments.quiet && is_terminal()) {
     options.on_progress = [](const Progress& progress) {
       show_line(progress_line(progress, terminal_columns()));

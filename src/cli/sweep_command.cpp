@@ -10,7 +10,7 @@
 
 #include "campaign/campaign.hpp"
 #include "campaign/estimate.hpp"
-#include "campaign/launch.hpp"
+#include "campaign/mpi_environment.hpp"
 #include "campaign/mpi_workers.hpp"
 #include "campaign/search.hpp"
 #include "campaign/thread_workers.hpp"
@@ -125,7 +125,7 @@ int sweep_in_ranks(const Arguments& arguments) {
     throw InputError(fmt::format(
         "sweep: started as one of {} processes, but MPI sees only this one (a launcher of another "
         "MPI); start it with the mpirun of the MPI it was built with, or srun --mpi=pmix",
-        launched_ranks()));
+        ranks_in_environment()));
   }
   if (arguments.threads) {
     throw InputError("--threads: is not for several processes (each has one); remove it");
@@ -141,7 +141,7 @@ int sweep(const Arguments& arguments) {
     throw InputError("sweep: which one? (no file is named); write zenosphere sweep SWEEP.toml");
   }
   if (arguments.store) require_file_name(*arguments.store, "a store is a database");
-  return launched_ranks() > 1 ? sweep_in_ranks(arguments) : sweep_in_threads(arguments);
+  return ranks_in_environment() > 1 ? sweep_in_ranks(arguments) : sweep_in_threads(arguments);
 }
 
 /// What a store holds is what its sweep file tells.
@@ -169,7 +169,7 @@ void add_sweep(CLI::App& app, int& status) {
   command.add_flag("--retry-failed", arguments->retry_failed, "run again what has failed");
   command.add_flag("--json", arguments->json, "print what came out as one JSON object");
   command.add_flag("--quiet", arguments->quiet, "no progress line, no summary for people");
-  add_sweep_looks(command, status);
+  add_sweep_show_and_csv(command, status);
   command.callback([&command, arguments, &status] {
     if (command.get_subcommands().empty()) status = sweep(*arguments);
   });

@@ -44,7 +44,7 @@ struct ClusterApproach {
 /// The clusters whose spheres meet again and again at small gaps: connected by pairs that were seen
 /// at least three times deeper than `least_depth`.
 ///
-/// \param spheres  of the system; a wall connects nobody
+/// \param spheres  of the system; a wall connects no spheres
 /// \return         spheres of each, ascending
 std::vector<std::vector<std::int32_t>> deep_clusters(std::span<const DepthRow> rows,
                                                      double least_depth, std::int32_t spheres);

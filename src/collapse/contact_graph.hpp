@@ -7,7 +7,7 @@
 
 namespace zenosphere {
 
-/// Who touches whom: spheres as nodes, contacts as edges. Walls are no spheres and are not in it.
+/// Which spheres touch: spheres are nodes, contacts are edges, and walls are left out.
 class ContactGraph {
  public:
   void connect(std::int32_t i, std::int32_t j);

@@ -8,7 +8,7 @@
 
 #include "engine/anchor.hpp"
 #include "engine/fetching.hpp"
-#include "engine/large_vector.hpp"
+#include "engine/huge_page_vector.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/way.hpp"
 
@@ -78,7 +78,7 @@ class AnchorCells {
   const Chunk& chunk(std::int32_t cell) const { return chunks_[static_cast<std::size_t>(cell)]; }
   Chunk& chunk(std::int32_t cell) { return chunks_[static_cast<std::size_t>(cell)]; }
 
-  LargeVector<Chunk> chunks_;         ///< the first of each cell
+  HugePageVector<Chunk> chunks_;      ///< the first of each cell
   std::vector<Chunk> further_;        ///< of cells in which spheres crowd together
   std::vector<std::int32_t> unused_;  ///< of the further ones
   std::size_t longest_ = 1;

@@ -77,7 +77,7 @@ void Spheres<Dim, Real>::read_images(ArchiveReader& archive) {
   require_archived(offset == 0 || (may_be_displaced && 2 * abs(offset) <= box_.sides()[0]),
                    "images that there are not");
   displace_images(offset);
-  boxes_ = archive.template next<LargeVector<Vec<Dim, double>>>();
+  boxes_ = archive.template next<HugePageVector<Vec<Dim, double>>>();
   require_archived(boxes_.size() == spheres_.size(), "boxes of another number of spheres");
   for (const Vec<Dim, double>& boxes : boxes_) {
     for (const double number : boxes.components) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/fetching.hpp"
-#include "engine/large_vector.hpp"
+#include "engine/huge_page_vector.hpp"
 
 namespace zenosphere {
 
@@ -123,7 +123,7 @@ class Calendar {
   void drop_void_heap();
   void clear_heap_of_void();
 
-  LargeVector<Real> times_;
+  HugePageVector<Real> times_;
   std::int32_t bin_count_;     ///< in a cycle
   std::vector<Bin> bins_;      ///< of the group that is open, unsorted; a power of two
   std::vector<Group> groups_;  ///< of later bins

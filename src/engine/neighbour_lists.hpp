@@ -8,7 +8,7 @@
 
 #include "engine/anchor.hpp"
 #include "engine/fetching.hpp"
-#include "engine/large_vector.hpp"
+#include "engine/huge_page_vector.hpp"
 #include "engine/way.hpp"
 #include "model/limits.hpp"
 
@@ -141,7 +141,7 @@ class NeighbourLists {
   std::int32_t spheres_;
   std::size_t record_size_;  ///< bytes; a multiple of half a line of the cache
   std::size_t room_;         ///< a multiple of four
-  LargeVector<std::byte> records_;
+  HugePageVector<std::byte> records_;
   std::vector<std::vector<Neighbour>> long_;
   std::vector<std::uint32_t> unused_;  ///< of the long ones
 };

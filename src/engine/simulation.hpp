@@ -13,7 +13,7 @@
 #include "engine/contact_rules.hpp"
 #include "engine/contacts_ahead.hpp"
 #include "engine/fetching.hpp"
-#include "engine/large_vector.hpp"
+#include "engine/huge_page_vector.hpp"
 #include "engine/moving_frame.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/next_meetings.hpp"
@@ -289,7 +289,7 @@ class Simulation {
   Surroundings<Dim, Real> surroundings_;
   std::optional<ContactLaw<Dim, Real>> law_;  ///< where impact() does not tell all
   Calendar<Real> calendar_;
-  LargeVector<NextMeetings<Real>> meetings_;
+  HugePageVector<NextMeetings<Real>> meetings_;
   double stride_ = 1;  ///< in which the clock counts, units
   Real span_;          ///< the same in time: what the remainder of the clock stays below
   Instant<Real> now_;

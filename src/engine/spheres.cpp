@@ -15,7 +15,7 @@ namespace zenosphere {
 template <int Dim, class Real>
 Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                             const Vector& acceleration)
-    : Spheres(LargeVector<Sphere>(start.positions.size()), std::move(start.grains), box,
+    : Spheres(HugePageVector<Sphere>(start.positions.size()), std::move(start.grains), box,
               acceleration) {
   assert(start.positions.size() == start.velocities.size());
   assert(start.spins.empty() || start.spins.size() == start.positions.size());
@@ -36,7 +36,7 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
 
 /// Spheres that are in no cell and on no list yet.
 template <int Dim, class Real>
-Spheres<Dim, Real>::Spheres(LargeVector<Sphere> spheres, Grains<Real> grains,
+Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains,
                             const ShearBox<Dim, Real>& box, const Vector& acceleration)
     : box_(box),
       cells_(box.cells()),

@@ -13,9 +13,9 @@
 #include "engine/configuration.hpp"
 #include "engine/contacts_ahead.hpp"
 #include "engine/fetching.hpp"
-#include "engine/large_vector.hpp"
+#include "engine/floating_point_filter.hpp"
+#include "engine/huge_page_vector.hpp"
 #include "engine/neighbour_lists.hpp"
-#include "engine/rough_viewpoint.hpp"
 #include "engine/settling.hpp"
 #include "engine/sliding_cells.hpp"
 #include "engine/sphere.hpp"
@@ -139,7 +139,7 @@ class Spheres {
                      ContactsAhead<Real>& ahead) const {
     if (is_mixture_) return find_contacts_of(i, neighbours, when, ahead);
     const Viewpoint<Dim, Real> here = viewpoint(i, when);
-    const RoughViewpoint<Dim> roughly(here);
+    const FloatingPointFilter<Dim> roughly(here);
     for (const Neighbour neighbour : neighbours) {
       if constexpr (!std::is_floating_point_v<Real>) {  // dear numbers
         const Sphere& other = (*this)[neighbour.sphere()];
@@ -219,10 +219,10 @@ class Spheres {
     double above;
   };
 
-  Spheres(LargeVector<Sphere> spheres, Grains<Real> grains, const ShearBox<Dim, Real>& box,
+  Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains, const ShearBox<Dim, Real>& box,
           const Vector& acceleration);
   /// Spheres and what they are, as an archive has them.
-  using Archived = std::pair<LargeVector<Sphere>, Grains<Real>>;
+  using Archived = std::pair<HugePageVector<Sphere>, Grains<Real>>;
   Spheres(Archived archived, const ShearBox<Dim, Real>& box, const Vector& acceleration,
           ArchiveReader& archive);
   void find_contacts_of(std::int32_t i, std::span<const Neighbour> neighbours, const Real& when,
@@ -306,8 +306,8 @@ class Spheres {
   std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded
   Real offset_ = 0;                     ///< of the upper image of the box at the start, diameters
   double odd_offset_ = 0;               ///< of it the part beside whole cells, in cells
-  LargeVector<Sphere> spheres_;
-  LargeVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
+  HugePageVector<Sphere> spheres_;
+  HugePageVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
   NeighbourLists lists_;
   AnchorCells anchor_cells_;
   std::vector<Neighbour> nearby_;               ///< scratch

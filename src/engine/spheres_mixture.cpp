@@ -23,7 +23,7 @@ template <int Dim, class Real>
 void Spheres<Dim, Real>::find_contacts_of(std::int32_t i, std::span<const Neighbour> neighbours,
                                           const Real& when, ContactsAhead<Real>& ahead) const {
   const Viewpoint<Dim, Real> here = viewpoint(i, when);
-  const RoughViewpoint<Dim> roughly(here);
+  const FloatingPointFilter<Dim> roughly(here);
   for (const Neighbour neighbour : neighbours) {
     const std::int32_t j = neighbour.sphere();
     const Real sigma = this->sigma(i, j);

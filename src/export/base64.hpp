@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "export/new_file.hpp"
+#include "storage/new_file.hpp"
 
 namespace zenosphere {
 

@@ -11,14 +11,14 @@
 #include "case/case_grains.hpp"
 #include "export/extended_xyz_frame.hpp"
 #include "export/lammps_dump.hpp"
-#include "export/new_file.hpp"
 #include "export/sphere_collisions.hpp"
 #include "export/tables.hpp"
-#include "export/text_target.hpp"
 #include "export/vtk_frame.hpp"
 #include "model/errors.hpp"
+#include "storage/new_file.hpp"
 #include "storage/recorded_run.hpp"
-#include "storage/rehearsal.hpp"
+#include "storage/sandboxed_read.hpp"
+#include "storage/text_target.hpp"
 #include "text/counted.hpp"
 
 namespace zenosphere {
@@ -158,13 +158,13 @@ class Exporter {
   /// All frames in one file.
   template <class Append>
   void write_frames(const std::string& header, Append append) {
-    TextTarget target(request_.target, request_.occupied);
+    TextTarget target(request_.target, request_.existing);
     target.file().write(header);
     if (for_each_frame([&](const Frame& frame) { append(target.file(), frame); })) target.finish();
   }
 
   void write_collisions() {
-    TextTarget target(request_.target, request_.occupied);
+    TextTarget target(request_.target, request_.existing);
     NewFile& file = target.file();
     file.write(collisions_header());
     if (!for_each_collision([&](const CollisionRow& row) { file.write(collisions_row(row)); })) {
@@ -181,23 +181,23 @@ class Exporter {
 
   /// A file for each frame in a folder, and the collection that tells their times.
   void write_collection() {
-    Draft draft(request_.target, Draft::Kind::file, request_.occupied);
+    AtomicFile list(request_.target, request_.existing);
     const fs::path folder = folder_of_frames(request_.target);
-    Draft frames(folder, Draft::Kind::folder, request_.occupied);
+    AtomicFile frames(folder, request_.existing, folder_of_vtk_frames());
     std::vector<TimedFile> files;
     const bool is_whole = for_each_frame([&](const Frame& frame) {
-      const fs::path name = frame_name(frame.number);
+      const fs::path name = vtk_frame_name(frame.number);
       NewFile file(frames.path() / name, folder / name);
       write_vtk_frame(file, frame);
       file.close();
       files.push_back({frame.snapshot.time, folder.filename() / name});
     });
     if (!is_whole) return;
-    NewFile collection(draft.path(), request_.target);
+    NewFile collection(list.path(), request_.target);
     collection.write(vtk_collection(files));
     collection.close();
     frames.put_in_place();
-    draft.put_in_place();
+    list.put_in_place();
   }
 
   const Export& request_;
@@ -233,8 +233,8 @@ std::int64_t bytes_of(const fs::path& path) {
 
 Exported export_run(const Export& request) {
   require_fitting_target(request);
-  rehearse(request.run, bytes_of(request.run) + bytes_of(journal_of(request.run)),
-           [&] { read_everything(request); });
+  sandboxed_read(request.run, bytes_of(request.run) + bytes_of(journal_of(request.run)),
+                 [&] { read_everything(request); });
   return Exporter(request).go();
 }
 

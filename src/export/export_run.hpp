@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "export/draft.hpp"
 #include "export/selection.hpp"
+#include "storage/atomic_file.hpp"
 
 namespace zenosphere {
 
@@ -18,7 +18,7 @@ struct Export {
   std::filesystem::path target;  ///< what is written; the .pvd file for ExportFormat::vtk
   ExportFormat format = ExportFormat::extended_xyz;
   Selection selection{};
-  Occupied occupied = Occupied::refuse;
+  Existing existing = Existing::refuse;
   const std::atomic<bool>* interrupt = nullptr;  ///< ends it, with nothing written, once true
 };
 

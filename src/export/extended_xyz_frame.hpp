@@ -1,7 +1,7 @@
 #pragma once
 
 #include "export/frame.hpp"
-#include "export/new_file.hpp"
+#include "storage/new_file.hpp"
 
 namespace zenosphere {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "export/frame.hpp"
-#include "export/new_file.hpp"
+#include "storage/new_file.hpp"
 
 namespace zenosphere {
 

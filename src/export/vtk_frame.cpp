@@ -124,7 +124,18 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+bool is_vtk_frame(const std::filesystem::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  return entry.is_regular_file() && name.starts_with("frame-") && name.ends_with(".vtp");
+}
+
 }  // namespace
+
+std::filesystem::path vtk_frame_name(std::int64_t number) {
+  return fmt::format("frame-{:06}.vtp", number);
+}
+
+AtomicFile::FolderOf folder_of_vtk_frames() { return {"frames (frame-*.vtp)", is_vtk_frame}; }
 
 void write_vtk_frame(NewFile& file, const Frame& frame) {
   const std::int64_t spheres = frame.spheres();

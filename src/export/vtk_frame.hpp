@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "export/frame.hpp"
-#include "export/new_file.hpp"
+#include "storage/atomic_file.hpp"
+#include "storage/new_file.hpp"
 
 namespace zenosphere {
 
@@ -16,6 +18,12 @@ namespace zenosphere {
 /// vectors, one a row) and its origin. All numbers as they are in the output file, in base64.
 /// Source: https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
 void write_vtk_frame(NewFile& file, const Frame& frame);
+
+/// `frame-000012.vtp`: the file of a snapshot.
+std::filesystem::path vtk_frame_name(std::int64_t number);
+
+/// A folder of such files, and of no others.
+AtomicFile::FolderOf folder_of_vtk_frames();
 
 /// A file that a collection lists.
 struct TimedFile {

@@ -11,9 +11,7 @@ using Rational = mpq_class;
 
 /// The number that a text means, exactly: "0.05" is 1/20, "-1.5e-3", "40/11".
 ///
-/// \throws InputError  for what is no number, and for exponents beyond +-100000 (nobody has digits
-/// for
-///                     them)
+/// \throws InputError  for what is no number, and for exponents beyond +-100000
 Rational exact_number(const std::string& text);
 
 /// A decimal text with `places` digits after the point, at most `value`; or at least `value`.

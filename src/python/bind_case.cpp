@@ -32,10 +32,9 @@ py::tuple grain_arrays(const Case& values) {
     kinds.push_back(grains.kind(i));
     immobile.push_back(grains.is_immobile(i) ? 1 : 0);
   }
-  return py::make_tuple(owning_array(std::move(diameters), {spheres}),
-                        owning_array(std::move(masses), {spheres}),
-                        owning_array(std::move(kinds), {spheres}),
-                        owning_array(std::move(immobile), {spheres}));
+  return py::make_tuple(
+      owning_array(std::move(diameters), {spheres}), owning_array(std::move(masses), {spheres}),
+      owning_array(std::move(kinds), {spheres}), owning_array(std::move(immobile), {spheres}));
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ namespace {
 using Output = std::optional<std::string>;
 
 std::unique_ptr<DrivenRun> run_of(const Case& values, const Output& output) {
-  return std::make_unique<DrivenRun>(values, output, OutputFile::Existing::refuse);
+  return std::make_unique<DrivenRun>(values, output, Existing::refuse);
 }
 
 std::unique_ptr<DrivenRun> replacing_run_of(const Case& values, const Output& output) {
-  return std::make_unique<DrivenRun>(values, output, OutputFile::Existing::replace);
+  return std::make_unique<DrivenRun>(values, output, Existing::replace);
 }
 
 std::unique_ptr<DrivenRun> run_from(const std::string& file,

@@ -55,7 +55,7 @@ class DrivenRun::Use {
 };
 
 DrivenRun::DrivenRun(const Case& values, const std::optional<std::string>& output,
-                     OutputFile::Existing existing)
+                     Existing existing)
     : values_(values), has_output_(output.has_value()) {
   const py::gil_scoped_release unlocked;
   RunOptions options;

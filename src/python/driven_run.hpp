@@ -22,8 +22,7 @@ namespace zenosphere {
 class DrivenRun {
  public:
   /// A run at its start; with an output, the file is there when this returns.
-  DrivenRun(const Case& values, const std::optional<std::string>& output,
-            OutputFile::Existing existing);
+  DrivenRun(const Case& values, const std::optional<std::string>& output, Existing existing);
 
   /// A run at the last checkpoint of an output file.
   ///

@@ -9,7 +9,7 @@
 #include "storage/info.hpp"
 #include "storage/output_reader.hpp"
 #include "storage/recorded_run.hpp"
-#include "storage/rehearsal.hpp"
+#include "storage/sandboxed_read.hpp"
 
 namespace zenosphere {
 
@@ -33,7 +33,7 @@ template <class Action>
 auto read_safely(const std::string& file, Action action) {
   const py::gil_scoped_release unlocked;
   return files.read([&] {
-    rehearse(file, bytes_of(file), [&] { action(RecordedRun(file)); });
+    sandboxed_read(file, bytes_of(file), [&] { action(RecordedRun(file)); });
     return action(RecordedRun(file));
   });
 }

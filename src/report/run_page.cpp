@@ -11,8 +11,8 @@
 #include "report/log_digest.hpp"
 #include "report/run_json.hpp"
 #include "result/summary.hpp"
-#include "storage/rehearsal.hpp"
 #include "storage/run_file.hpp"
+#include "storage/sandboxed_read.hpp"
 
 namespace zenosphere {
 namespace {
@@ -126,7 +126,7 @@ Case case_of(const std::filesystem::path& path, const OutputInfo& info) {
   return parse_case(info.resolved_case, path.string() + ", its case", {});
 }
 
-/// Whatever a page needs, once: for the rehearsal.
+/// Whatever a page needs, once: for the sandbox.
 void read_everything(const std::filesystem::path& path) {
   const RunFile file(path);
   file.anatomy();
@@ -155,10 +155,10 @@ void add_stretch(PageWriter& page, const std::string& name, const LogStretch& st
 }  // namespace
 
 void write_run_page(const std::filesystem::path& output, const std::filesystem::path& page,
-                    ExistingPage existing) {
+                    Existing existing) {
   std::error_code ignored;
   const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(output, ignored));
-  rehearse(output, std::max<std::int64_t>(bytes, 0), [&] { read_everything(output); });
+  sandboxed_read(output, std::max<std::int64_t>(bytes, 0), [&] { read_everything(output); });
   const RunFile file(output);
   const Case values = case_of(output, file.info());
   PageWriter writer(page, existing);

@@ -16,6 +16,6 @@ namespace zenosphere {
 /// \param output  output file of a run, finished or not; its journal is not looked at
 /// Throws InputError where it cannot be read, OutputError where the page cannot be written.
 void write_run_page(const std::filesystem::path& output, const std::filesystem::path& page,
-                    ExistingPage existing);
+                    Existing existing);
 
 }  // namespace zenosphere

@@ -191,7 +191,7 @@ std::string sweep_json(const std::string& name, Database& store) {
 }  // namespace
 
 void write_sweep_page(const std::filesystem::path& store, const std::filesystem::path& page,
-                      ExistingPage existing) {
+                      Existing existing) {
   Database database(store, Database::Access::read);
   const std::string json = sweep_json(store.filename().string(), database);
   PageWriter writer(page, existing);

@@ -13,6 +13,6 @@ namespace zenosphere {
 /// Throws OutputError where the store cannot be read or the page cannot be written, InputError
 /// where a case of the store is none.
 void write_sweep_page(const std::filesystem::path& store, const std::filesystem::path& page,
-                      ExistingPage existing);
+                      Existing existing);
 
 }  // namespace zenosphere

@@ -26,8 +26,9 @@ std::string arrest_sentence(const Summary& summary) {
       "again without separating, and time stands still at machine precision.";
   const std::int64_t others = summary.arrest.others_moving.value_or(0);
   if (others == 0) return text;
-  return text + fmt::format("\nIt stands still for all: {} other sphere{} still moving.", others,
-                            others == 1 ? " was" : "s were");
+  return text +
+         fmt::format("\n{} other sphere{} still moving and held up too: all share one clock.",
+                     others, others == 1 ? " was" : "s were");
 }
 
 }  // namespace

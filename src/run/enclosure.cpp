@@ -76,7 +76,7 @@ bool closes_around(const ClusterGaps<Dim, Real>& state, const Alone<Dim, Real>& 
 
 /// The time that any other sphere needs at least to reach the cluster.
 ///
-/// Seen from one of its spheres nobody ever becomes faster than the energy of all allows, and by
+/// Seen from one of its spheres no sphere ever becomes faster than the energy of all allows, and by
 /// a face of the box than the shear between its faces.
 template <int Dim, class Real>
 double least_time_to_reach(const ClusterGaps<Dim, Real>& state,

@@ -28,7 +28,7 @@ const char* end_of_collisions(const Simulation<Dim, Real>& simulation,
   return simulation.is_at_rest() && !driving.is_on() ? "at rest" : nullptr;
 }
 
-/// Whether nobody has met for too long: for too many events, or kicks of a sphere.
+/// Whether no spheres have met for too long: for too many events, or kicks of a sphere.
 template <int Dim, class Real>
 bool is_given_up(const Simulation<Dim, Real>& simulation, const Case& values) {
   constexpr double events_a_kick = 8;  // in work
@@ -41,7 +41,7 @@ bool is_given_up(const Simulation<Dim, Real>& simulation, const Case& values) {
   return events > most;
 }
 
-/// Why a run is over by its time or that of its clock, or because nobody meets for too long, or
+/// Why a run is over by its time or that of its clock, or because no spheres meet for too long, or
 /// until no digit of the places is left; nullptr where it is not.
 template <int Dim, class Real>
 const char* end_of_time(const Simulation<Dim, Real>& simulation, const Case& values) {

@@ -37,7 +37,7 @@ void mark_arrest(std::int32_t sphere, std::int64_t collision, std::vector<HitGro
 /// Gathers the hits of a run into groups.
 class HitGroups {
  public:
-  /// \param spheres  of the system: numbers from there on are walls, which connect nobody
+  /// \param spheres  of the system: numbers from there on are walls, which connect no spheres
   explicit HitGroups(std::int32_t spheres);
 
   /// To be called for every collision, in order.

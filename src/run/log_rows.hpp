@@ -56,7 +56,7 @@ class RowCollector {
  public:
   explicit RowCollector(const LogRows<Dim, Real>& log) : log_(log) {}
 
-  /// \param rows  those of the piece are appended to it; null: nobody wants them
+  /// \param rows  those of the piece are appended to it; null: they are not wanted
   void begin(std::vector<CollisionRow>* rows) {
     rows_ = rows;
     if (rows_ && waiting_) rows_->push_back(*waiting_);

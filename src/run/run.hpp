@@ -25,7 +25,7 @@ struct Progress {
 /// What surrounds a run, besides its case.
 struct RunOptions {
   std::optional<std::filesystem::path> output;  ///< none: nothing is written
-  OutputFile::Existing existing = OutputFile::Existing::refuse;
+  Existing existing = Existing::refuse;
   const std::atomic<bool>* interrupt = nullptr;        ///< set from outside to end the run early
   std::function<void(const Progress&)> on_progress{};  ///< called a few times a second
 };

@@ -242,7 +242,7 @@ void require_no_lasting_contact(const Case& values, const GivenStart& start,
                                 const std::string& where) {
   const auto closed = closed_axis(values);
   if (!closed || values.gravity.acceleration.empty()) return;
-  if (values.start.granular_temperature.value_or(0) > 0) return;  // nobody has no speed
+  if (values.start.granular_temperature.value_or(0) > 0) return;  // then all have a speed
   const auto axis = static_cast<std::size_t>(*closed);
   const double pull = values.gravity.acceleration[axis];
   if (pull == 0) return;

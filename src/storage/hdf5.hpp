@@ -12,8 +12,8 @@
 /// Arrays are row-major and numbers little-endian in the file. Everything here throws `Error`;
 /// the caller knows which file is meant and says so. HDF5 prints nothing, loads no plug-ins and
 /// opens no file but the one that is asked for. A damaged file can still make it crash or allocate
-/// without bound: files that may come from somebody else are read after a rehearsal
-/// (storage/rehearsal.hpp).
+/// without bound: files of unknown origin are read in a sandbox first
+/// (storage/sandboxed_read.hpp).
 namespace zenosphere::hdf5 {
 
 /// A call into HDF5 failed. The text is the reason: the system's ("No space left on device")

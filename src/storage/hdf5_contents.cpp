@@ -14,7 +14,7 @@
 namespace zenosphere::hdf5 {
 namespace {
 
-/// Bounds on a file of somebody else, whose groups may hold each other.
+/// Bounds on a file of unknown origin, whose groups may hold each other.
 constexpr int deepest = 8;
 constexpr int most_objects = 10000;
 

@@ -34,7 +34,7 @@ std::string adjudication_line(const OutputInfo& info) {
   return fmt::format("  adjudicated             {}: {}\n", text("finding"), text("sentence"));
 }
 
-/// Nothing where nobody has looked.
+/// Nothing where it was not examined.
 Json word(Integrity integrity) {
   switch (integrity) {
     case Integrity::unread:

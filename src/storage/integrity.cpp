@@ -15,7 +15,7 @@
 #include "storage/durable.hpp"
 #include "storage/file_checksum.hpp"
 #include "storage/hdf5_contents.hpp"
-#include "storage/rehearsal.hpp"
+#include "storage/sandboxed_read.hpp"
 
 namespace zenosphere {
 namespace {
@@ -179,7 +179,7 @@ Integrity checked_integrity(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored) || !hdf5::is_hdf5(path)) return Integrity::unknown;
   const auto bytes = static_cast<std::int64_t>(fs::file_size(path));
-  rehearse(path, bytes, [&] { examine(path); });
+  sandboxed_read(path, bytes, [&] { examine(path); });
   try {
     const hdf5::Handle file = hdf5::opened_file(path);
     const bool is_ours = hdf5::contains(file, own_group);

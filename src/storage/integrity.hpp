@@ -15,7 +15,7 @@ namespace zenosphere {
 
 /// What is known of a file that is not damaged.
 enum class Integrity {
-  unread,            ///< nobody has looked
+  unread,            ///< not examined
   unknown,           ///< it has no checksums: older than them, or not finished
   values_unchanged,  ///< datasets and attributes are what was written
   bytes_unchanged,   ///< the file is
@@ -25,7 +25,7 @@ enum class Integrity {
 /// hdf5::Error.
 void write_checksums(const hdf5::Handle& file);
 
-/// Appends the checksum of all bytes to a file that nobody has open. Throws SystemError.
+/// Appends the checksum of all bytes to a file that is not open. Throws SystemError.
 void seal(const std::filesystem::path& path);
 
 /// Compares a file with its checksums. Reads it once from begin to end, and where it has changed

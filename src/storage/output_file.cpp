@@ -22,7 +22,7 @@ constexpr std::uint64_t least_fold = 64 << 20;
 
 /// Where the file is to be in the end.
 /// Throws OutputError where the folder is missing or something is there that may not be replaced.
-fs::path permitted_target(const fs::path& path, OutputFile::Existing existing) {
+fs::path permitted_target(const fs::path& path, Existing existing) {
   std::error_code ignored;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const auto refuse = [&path](const std::string& text) {
@@ -34,7 +34,7 @@ fs::path permitted_target(const fs::path& path, OutputFile::Existing existing) {
   const auto status = fs::status(path, ignored);
   if (!fs::exists(status)) return path;
   if (fs::is_directory(status)) refuse("is a folder; choose the name of a file");
-  if (existing == OutputFile::Existing::refuse) {
+  if (existing == Existing::refuse) {
     refuse("exists already (a run's data may be in it); choose another name or pass --overwrite");
   }
   if (!fs::is_regular_file(status)) refuse("is not a regular file; choose another name");
@@ -48,9 +48,8 @@ void remove_quietly(const fs::path& path) {
 }
 
 /// Throws where a journal tells of an output that is not where it was.
-void require_no_orphan(const Journal& journal, const fs::path& path,
-                       OutputFile::Existing existing) {
-  if (existing == OutputFile::Existing::replace || journal.size() == 0) return;
+void require_no_orphan(const Journal& journal, const fs::path& path, Existing existing) {
+  if (existing == Existing::replace || journal.size() == 0) return;
   throw OutputError(fmt::format(
       "{}: belongs to a run whose {} is not here (moved or deleted?); put them together again, or "
       "delete it",
@@ -192,7 +191,7 @@ void OutputFile::publish() {
 void OutputFile::begin(Checkpoint checkpoint) {
   assert(part_ && !published_);
   checkpoint = counted(std::move(checkpoint));
-  permitted_target(path_, existing_);  // somebody may have been faster
+  permitted_target(path_, existing_);  // another process may have been faster
   guarded([&] {
     flush_rows();
     part_->store(checkpoint);

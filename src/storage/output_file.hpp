@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "result/summary.hpp"
+#include "storage/atomic_file.hpp"
 #include "storage/journal.hpp"
 #include "storage/output_datasets.hpp"
 #include "storage/records.hpp"
@@ -26,7 +27,6 @@ namespace zenosphere {
 class OutputFile {
  public:
   using Header = OutputHeader;
-  enum class Existing { refuse, replace };
 
   /// Throws the OutputError that the constructor would, where it can be known without creating the
   /// file: before hours are spent on what cannot be kept.

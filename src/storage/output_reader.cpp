@@ -13,7 +13,7 @@
 #include "storage/hdf5_series.hpp"
 #include "storage/journal.hpp"
 #include "storage/output_datasets.hpp"
-#include "storage/rehearsal.hpp"
+#include "storage/sandboxed_read.hpp"
 #include "text/counted.hpp"
 #include "text/file_kind.hpp"
 #include "text/printable.hpp"
@@ -264,7 +264,7 @@ StoredSnapshot snapshot_of(const fs::path& path, int dimension, std::int64_t sph
 }  // namespace
 
 OutputInfo read_stored_info(const fs::path& path) {
-  rehearse(path, 0, [&] { info_of(path); });
+  sandboxed_read(path, 0, [&] { info_of(path); });
   return info_of(path);
 }
 
@@ -288,7 +288,8 @@ OutputInfo read_output_info(const fs::path& path) {
 Checkpoint read_checkpoint(const fs::path& path) {
   std::error_code ignored;
   const auto bytes = fs::file_size(path, ignored);
-  rehearse(path, ignored ? 0 : static_cast<std::int64_t>(bytes), [&] { checkpoint_of(path); });
+  sandboxed_read(path, ignored ? 0 : static_cast<std::int64_t>(bytes),
+                 [&] { checkpoint_of(path); });
   return checkpoint_of(path);
 }
 
@@ -300,7 +301,7 @@ bool is_hdf5_file(const fs::path& path) {
 StoredSnapshot read_snapshot(const fs::path& path, int dimension, std::int64_t spheres,
                              std::optional<std::int64_t> number) {
   const auto bytes = static_cast<std::int64_t>(2 * sizeof(double)) * spheres * dimension;
-  rehearse(path, bytes, [&] { snapshot_of(path, dimension, spheres, number); });
+  sandboxed_read(path, bytes, [&] { snapshot_of(path, dimension, spheres, number); });
   return snapshot_of(path, dimension, spheres, number);
 }
 

@@ -8,7 +8,7 @@ namespace zenosphere {
 
 /// A text for a terminal: control characters other than line ends and tabs become `?`.
 ///
-/// What a file from somebody else says is shown to people; it must not move their cursor, change
+/// What a file of unknown origin says is shown to people; it must not move their cursor, change
 /// the title of their window or answer for them.
 inline std::string printable(std::string_view text) {
   std::string result(text);

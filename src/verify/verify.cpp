@@ -13,8 +13,8 @@
 #include "model/errors.hpp"
 #include "result/summary.hpp"
 #include "storage/integrity.hpp"
-#include "storage/rehearsal.hpp"
 #include "storage/run_file.hpp"
+#include "storage/sandboxed_read.hpp"
 #include "text/counted.hpp"
 #include "verify/arrest_recount.hpp"
 #include "verify/log_check.hpp"
@@ -218,7 +218,7 @@ Verification verify_file(const std::filesystem::path& path) {
   const Integrity integrity = checked_integrity(path);
   std::error_code ignored;
   const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path, ignored));
-  rehearse(path, std::max<std::int64_t>(bytes, 0), [&] { read_everything(path); });
+  sandboxed_read(path, std::max<std::int64_t>(bytes, 0), [&] { read_everything(path); });
   const RunFile file(path);
   const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
   require_fitting(path, file.info(), values);

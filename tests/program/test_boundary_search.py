@@ -5,9 +5,9 @@ import shutil
 import signal
 import sqlite3
 import subprocess
-import time
 
 import pytest
+from sweeps import runs_done, wait_for
 
 SEARCH = """\
 [sweep]
@@ -67,13 +67,17 @@ def test_store_does_not_depend_on_threads(search):
 
 
 def test_killed_search_goes_on_as_if_nothing_had_happened(search):
+    (search.folder / "s.toml").write_text(SEARCH.replace("per_sphere = 100", "per_sphere = 400"))
     search("sweep", "s.toml", "-o", "whole.sqlite")
-    for moment in (0.1, 0.2, 0.3):
-        process = subprocess.Popen(search.command("sweep", "s.toml", "-o", "killed.sqlite"),
-                                   cwd=search.folder, stdout=subprocess.DEVNULL)
-        time.sleep(moment)
+    killed = search.folder / "killed.sqlite"
+    for runs in (1, 10, 20):  # of the 32 at least that it takes
+        process = subprocess.Popen(
+            search.command("sweep", "s.toml", "--threads", "1", "-o", killed.name),
+            cwd=search.folder, stdout=subprocess.DEVNULL)
+        wait_for(lambda: runs_done(killed) >= runs)
         process.send_signal(signal.SIGKILL)
-        process.wait()
+        assert process.wait() == -signal.SIGKILL  # it had not ended before
+    assert runs_done(killed) < runs_done(search.folder / "whole.sqlite")
     search("sweep", "s.toml", "-o", "killed.sqlite")
     assert content(search.folder / "killed.sqlite") == content(search.folder / "whole.sqlite")
 

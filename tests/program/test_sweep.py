@@ -10,11 +10,10 @@ import resource
 import signal
 import sqlite3
 import subprocess
-import time
 
 import pytest
 
-from sweeps import ENDLESS, SWEEP, is_made, rows, wait_for
+from sweeps import ENDLESS, SWEEP, has_worked, is_made, rows, wait_for
 from test_reliability import without_privilege
 
 
@@ -238,7 +237,7 @@ def test_interrupted_sweep_ends_cleanly_and_goes_on_later(sweep, sent):
     (sweep.folder / "s.toml").write_text(ENDLESS)
     process = start(sweep, "s.toml")
     wait_for(lambda: is_made(sweep.folder / "s.sqlite"))
-    time.sleep(0.3)
+    wait_for(lambda: has_worked(process.pid))
     process.send_signal(sent)
     output, errors = process.communicate(timeout=20)
     assert process.returncode == 130 and errors == ""
@@ -251,7 +250,7 @@ def test_second_sweep_on_a_store_is_refused(sweep):
     process = start(sweep, "s.toml")
     try:
         wait_for(lambda: is_made(sweep.folder / "s.sqlite"))
-        time.sleep(0.2)
+        wait_for(lambda: has_worked(process.pid))
         lines = sweep.fail("sweep", "s.toml", code=4)
         assert lines[0].startswith("s.sqlite: another sweep is writing to it")
         assert sweep("sweep", "csv", "s.sqlite").stdout.count("pending") == 8  # readers may look

@@ -5,11 +5,10 @@ import io
 import json
 import signal
 import subprocess
-import time
 
 import pytest
 
-from sweeps import is_made, rows, wait_for
+from sweeps import has_worked, is_made, rows, wait_for
 from test_sweep_mpi import has_mpi, mpirun
 
 # 32 sheared discs: runs at e = 0.2 have hundreds of hits, those at e = 0.9 none.
@@ -124,7 +123,7 @@ def test_interrupt_ends_an_adjudication_at_once_and_the_run_stays_to_be_done(dis
     process = subprocess.Popen(discs.command("sweep", "s.toml", "--threads", "1"), text=True,
                                cwd=discs.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     wait_for(lambda: is_made(discs.folder / "s.sqlite"))
-    time.sleep(2)
+    wait_for(lambda: has_worked(process.pid, 1))
     process.send_signal(signal.SIGINT)
     output, errors = process.communicate(timeout=20)
     assert (process.returncode, errors) == (130, "")

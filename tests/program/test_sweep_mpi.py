@@ -4,11 +4,10 @@ import os
 import shutil
 import signal
 import subprocess
-import time
 
 import pytest
 
-from sweeps import ENDLESS, is_made, rows, wait_for
+from sweeps import ENDLESS, has_worked, is_made, rows, wait_for
 
 
 def has_mpi(program):
@@ -50,9 +49,10 @@ def test_death_of_a_rank_ends_the_sweep_which_goes_on_later(sweep):
          *sweep.command("sweep", "s.toml")],
         cwd=sweep.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     wait_for(lambda: is_made(sweep.folder / "s.sqlite"))
-    time.sleep(0.3)
     children = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True)
-    os.kill(int(children.stdout.split()[-1]), signal.SIGKILL)
+    rank = int(children.stdout.split()[-1])
+    wait_for(lambda: has_worked(rank))
+    os.kill(rank, signal.SIGKILL)
     process.communicate(timeout=30)
     assert process.returncode != 0
     assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"pending"}

@@ -6,9 +6,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from synthetic import write_run
-from zenosphere import anatomy_panels
 from zenosphere.__main__ import main
-from zenosphere.dissection import plane_of
+from zenosphere.anatomy import panels as anatomy_panels
+from zenosphere.anatomy.dissection import plane_of
 from zenosphere.run_file import RunFile
 
 PANELS = ("decay", "cluster", "pairs")

@@ -62,6 +62,22 @@ def test_wrong_format_or_size_is_exit_code_2_with_what_there_is(capsys, option, 
     assert reason in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("words, line", [
+    ("figures --formt png", "figures: unknown option --formt; did you mean --format? See {} figures"
+     " --help"),
+    ("movie", "movie: OUT.h5 missing; see {} movie --help"),
+    ("movie run.h5 run.mp4", "movie: run.mp4 is one word too many; see {} movie --help"),
+    ("movie run.h5 --fps 0", "movie: --fps: '0' (must be a whole number above 0); see {} movie --help"),
+    ("cooling run.h5 -o", "cooling: -o/--output: expected one argument; see {} cooling --help"),
+])
+def test_wrong_words_are_told_in_one_line_as_by_the_program(capsys, monkeypatch, words, line):
+    monkeypatch.setenv("ZENOSPHERE_COMMAND", "zenosphere")
+    with pytest.raises(SystemExit) as stopped:
+        main(words.split())
+    assert stopped.value.code == 2
+    assert capsys.readouterr().err == "zenosphere " + line.format("zenosphere") + "\n"
+
+
 def test_same_figure_is_the_same_file(e02, tmp_path):
     for folder in ("one", "two"):
         main(["figures", "--true-collapse", str(e02), "-o", str(tmp_path / folder), "--format",
@@ -155,7 +171,7 @@ def test_module_runs_without_installation_and_exits_with_2_on_wrong_input(tmp_pa
                           cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(python)},
                           capture_output=True, text=True)
     assert done.returncode == 2
-    assert done.stderr.startswith("nowhere.h5: no such file")
+    assert done.stderr.startswith("nowhere.h5: does not exist; name an output file")
 
 
 def test_flag_bits_mark_the_hits_also_where_the_gap_is_larger(written, tmp_path):

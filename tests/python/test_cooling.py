@@ -6,8 +6,8 @@ import h5py
 import numpy as np
 import pytest
 
-from zenosphere import cooling
 from zenosphere.__main__ import main
+from zenosphere.cooling import law as cooling
 from zenosphere.run_file import RunFile
 
 SPHERES = 400

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from zenosphere.crossing import DROP_95, crossing, log_likelihood
+from zenosphere.ensembles.crossing import DROP_95, crossing, log_likelihood
 
 E = np.arange(1, 8) / 10
 

@@ -8,11 +8,11 @@ import pytest
 from synthetic_store import write_store
 
 from zenosphere.__main__ import main
-from zenosphere.ensemble import Ensemble
-from zenosphere.ensemble_figures import _heading, _probabilities
-from zenosphere.ensemble_slices import chosen_parts, slices
+from zenosphere.drawing.pictures import Pictures
+from zenosphere.ensembles.figures import _heading, _probabilities
+from zenosphere.ensembles.slices import chosen_parts, slices
+from zenosphere.ensembles.store import Ensemble
 from zenosphere.errors import InputError
-from zenosphere.pictures import Pictures
 
 AXES = {"system.restitution": (0.1, 0.3, 0.5), "system.spheres": (100, 200)}
 
@@ -161,7 +161,7 @@ def test_what_is_no_store_is_refused(tmp_path, capsys):
     with sqlite3.connect(tmp_path / "other") as other:
         other.execute("CREATE TABLE sweep (format_version, seeds, program_version)")
         other.execute("INSERT INTO sweep VALUES (7, 1, '')")
-    for name, reason in (("missing", "no such file"), ("text", "is not the store of a sweep"),
+    for name, reason in (("missing", "does not exist; name the store"), ("text", "is not the store of a sweep"),
                          ("other", "format version 7")):
         assert main(["ensemble", str(tmp_path / name)]) == 2
         assert reason in capsys.readouterr().err

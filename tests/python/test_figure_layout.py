@@ -10,12 +10,15 @@ from matplotlib.figure import Figure
 from synthetic import write_run
 from synthetic_store import write_search, write_store
 
-from zenosphere import ensemble_figures, ensemble_panels, panels, words
 from zenosphere.__main__ import main
-from zenosphere.ensemble import Ensemble
-from zenosphere.ensemble_maps import probability_maps
-from zenosphere.ensemble_slices import chosen_parts, slices
-from zenosphere.pictures import Pictures
+from zenosphere.drawing import words
+from zenosphere.drawing.pictures import Pictures
+from zenosphere.ensembles import figures as ensemble_figures
+from zenosphere.ensembles import panels as ensemble_panels
+from zenosphere.ensembles.maps import probability_maps
+from zenosphere.ensembles.slices import chosen_parts, slices
+from zenosphere.ensembles.store import Ensemble
+from zenosphere.figures import panels
 from zenosphere.run_file import RunFile
 
 RESTITUTIONS = tuple(round(0.1 + 0.05 * step, 2) for step in range(13))
@@ -76,7 +79,7 @@ def test_hollow_marks_are_in_the_legend_where_there_are_any(tmp_path, arrest, is
 
 
 def test_hollow_marks_of_a_search_are_in_its_legend(tmp_path):
-    from zenosphere.search_figures import _boundaries
+    from zenosphere.ensembles.search_figures import _boundaries
     found = {0.1: ("below", None, None, None), 0.2: ("crossing", 0.2, 0.1, 0.3)}
     ensemble = Ensemble(write_search(tmp_path / "s.sqlite", found))
     figure = _boundaries(ensemble, ensemble.boundaries(), Pictures())

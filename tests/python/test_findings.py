@@ -9,11 +9,11 @@ import pytest
 from synthetic_store import write_store
 
 from zenosphere.__main__ import main
-from zenosphere.ensemble import Ensemble
-from zenosphere.ensemble_maps import FINDINGS, finding_maps, short_fraction
-from zenosphere.ensemble_slices import chosen_parts, slices
-from zenosphere.findings import KINDS, finding_rows
-from zenosphere.pictures import Pictures
+from zenosphere.drawing.pictures import Pictures
+from zenosphere.ensembles.findings import KINDS, finding_rows
+from zenosphere.ensembles.maps import FINDINGS, finding_maps, short_fraction
+from zenosphere.ensembles.slices import chosen_parts, slices
+from zenosphere.ensembles.store import Ensemble
 
 AXES = {"system.restitution": (0.1, 0.3), "system.solids_volume_fraction": (0.2, 0.4)}
 OUTCOMES = (  # first hit, arrest, finding, verdict: one run each

@@ -10,8 +10,8 @@ import pytest
 from matplotlib import animation
 
 from zenosphere.__main__ import main
-from zenosphere.cell import Cell, View
-from zenosphere.movie import LastCollisions, Speeds
+from zenosphere.movies.cell import Cell, View
+from zenosphere.movies.movie import LastCollisions, Speeds
 from zenosphere.run_file import RunFile
 
 SPHERES = 6

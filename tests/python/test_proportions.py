@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from zenosphere.proportions import fraction, wilson_interval
+from zenosphere.ensembles.proportions import fraction, wilson_interval
 
 
 def test_interval_of_half_with_z_two_is_worked_out_by_hand():

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from zenosphere.errors import InputError
-from zenosphere.run_file import HIT, RunFile
+from zenosphere.flags import HIT
+from zenosphere.run_file import RunFile
 
 
 def message(path, ask=lambda run: None):
@@ -40,7 +41,7 @@ def test_window_outside_the_log_reads_nothing(written):
 
 
 def test_missing_file_is_named(tmp_path):
-    assert "nowhere.h5: no such file" in message(tmp_path / "nowhere.h5")
+    assert "nowhere.h5: does not exist" in message(tmp_path / "nowhere.h5")
 
 
 def test_text_file_is_not_hdf5(tmp_path):

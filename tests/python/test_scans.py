@@ -18,7 +18,7 @@ import scan_shear as shear  # noqa: E402
 import scan_three_balls as balls  # noqa: E402
 import scan_triple as triple  # noqa: E402
 import scanning  # noqa: E402
-from zenosphere.pictures import STYLE  # noqa: E402
+from zenosphere.drawing.pictures import STYLE  # noqa: E402
 
 
 def test_overrides_are_written_as_toml():

@@ -6,8 +6,8 @@ import pytest
 from synthetic_store import write_search
 
 from zenosphere.__main__ import main
-from zenosphere.ensemble import Ensemble
-from zenosphere.search_figures import crossing_of
+from zenosphere.ensembles.search_figures import crossing_of
+from zenosphere.ensembles.store import Ensemble
 
 FINDINGS = {0.1: ("crossing", 0.22, 0.2, 0.24), 0.2: ("below", None, None, None),
             0.3: ("unresolved", 0.3, 0.21, None)}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from zenosphere.thinning import plotted_separation, thinned
+from zenosphere.figures.thinning import plotted_separation, thinned
 
 
 def long_log(count=300000, seed=3):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from zenosphere import windows
+from zenosphere.figures import windows
 from zenosphere.run_file import RunFile
 
 

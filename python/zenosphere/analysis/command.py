@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
+from ..drawing.pictures import Pictures
 from ..errors import InputError
-from ..pictures import Pictures
 from . import tables
 from .figures import draw_analysis
 

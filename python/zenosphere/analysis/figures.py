@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from ..pictures import COLOURS, HEIGHT, INK, MARK_COLOUR, WIDTH, made_folder
+from ..drawing.pictures import COLOURS, HEIGHT, INK, MARK_COLOUR, WIDTH, made_folder
 
 SPEED = "in units of $\\sqrt{T}$"
 

@@ -5,7 +5,7 @@ from math import gamma, pi
 import numpy as np
 from scipy.special import eval_legendre
 
-from ..cooling import contact_value
+from ..cooling.law import contact_value
 from .blocking import errors_of_means, measured
 
 BIN = 0.02  # diameters

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from ..ensemble_table import write_csv
+from ..csv_file import write_csv
 from ..errors import OutputError
 
 SCALARS = (  # key of the result, key in it, what it is called

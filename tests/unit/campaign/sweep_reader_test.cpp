@@ -59,7 +59,7 @@ TEST(SweepFile, StopsARunThatItsCaseStopsEarlierWhereTheCaseSays) {
 
 TEST(SweepFile, BaseTextStandsForTheBaseCase) {
   const Sweep sweep = parse_sweep(small_sweep, "s.toml");
-  const CaseDraft base(case_format::entries_of(sweep.base_text, "base"), "base");
+  const CaseTemplate base(case_format::entries_of(sweep.base_text, "base"), "base");
   for (int run = 0; run < 8; ++run) {
     const auto overrides = overrides_of(sweep, run);
     EXPECT_EQ(resolved_toml(case_of_run(base, sweep.stop, overrides)),

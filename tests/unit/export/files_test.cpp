@@ -4,10 +4,10 @@
 #include <iterator>
 
 #include "export/base64.hpp"
-#include "export/draft.hpp"
 #include "export/export_run.hpp"
 #include "export/vtk_frame.hpp"
 #include "model/errors.hpp"
+#include "storage/atomic_file.hpp"
 #include "unit/storage/output_fixture.hpp"
 
 namespace zenosphere {
@@ -64,20 +64,20 @@ TEST_F(ExportFiles, NewFileHoldsWhatWasWrittenInAnyPieces) {
   EXPECT_EQ(content_of(target), expected);
 }
 
-TEST_F(ExportFiles, DraftThatIsNotPutInPlaceLeavesNothing) {
-  { const Draft draft(folder.path / "frames", Draft::Kind::folder, Occupied::refuse); }
+TEST_F(ExportFiles, AtomicFileThatIsNotPutInPlaceLeavesNothing) {
+  { const AtomicFile frames(folder.path / "frames", Existing::refuse, folder_of_vtk_frames()); }
   {
-    const Draft draft(folder.path / "text", Draft::Kind::file, Occupied::refuse);
-    std::ofstream(draft.path()) << "half";
+    const AtomicFile text(folder.path / "text", Existing::refuse);
+    std::ofstream(text.path()) << "half";
   }
   EXPECT_EQ(files(), 0);
 }
 
-TEST_F(ExportFiles, DraftDoesNotReplaceWhatSomebodyElseMadeMeanwhile) {
-  Draft draft(folder.path / "text", Draft::Kind::file, Occupied::refuse);
-  std::ofstream(draft.path()) << "new";
+TEST_F(ExportFiles, AtomicFileDoesNotReplaceWhatSomebodyElseMadeMeanwhile) {
+  AtomicFile text(folder.path / "text", Existing::refuse);
+  std::ofstream(text.path()) << "new";
   std::ofstream(folder.path / "text") << "theirs";
-  EXPECT_THROW(draft.put_in_place(), OutputError);
+  EXPECT_THROW(text.put_in_place(), OutputError);
   EXPECT_EQ(content_of(folder.path / "text"), "theirs");
 }
 
@@ -88,8 +88,8 @@ TEST_F(ExportFiles, CollectionEscapesItsPaths) {
 }
 
 TEST_F(ExportFiles, FrameNamesSortAsTheirNumbers) {
-  EXPECT_EQ(frame_name(12), "frame-000012.vtp");
-  EXPECT_EQ(frame_name(1234567), "frame-1234567.vtp");
+  EXPECT_EQ(vtk_frame_name(12), "frame-000012.vtp");
+  EXPECT_EQ(vtk_frame_name(1234567), "frame-1234567.vtp");
 }
 
 const std::string plane_case =
@@ -99,7 +99,7 @@ const std::string plane_case =
 
 TEST_F(ExportFiles, InterruptedExportWritesNothing) {
   {
-    OutputFile output(path, {plane_case, plane_case, 2, 2}, OutputFile::Existing::refuse);
+    OutputFile output(path, {plane_case, plane_case, 2, 2}, Existing::refuse);
     write_run(output, 0);
     finish(output, 0);
   }

@@ -16,7 +16,7 @@ TEST(Recorder, RefusesAnArchiveThatLacksSnapshots) {
       "[drive]\nkind = \"none\"\n[run]\ntime = 100\n[output]\nsnapshot_interval = 0.5\n",
       "test.toml", {});
   const TemporaryFolder folder;
-  OutputFile file(folder.path / "out.h5", output_header(values), OutputFile::Existing::replace);
+  OutputFile file(folder.path / "out.h5", output_header(values), Existing::replace);
   auto simulation = new_simulation<1, double>(values);
   simulation.wait_until(10);
   const auto read = [&](std::int64_t snapshots) {

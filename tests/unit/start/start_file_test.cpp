@@ -18,7 +18,7 @@ namespace {
 class StartOutput : public StartFile {
  protected:
   void write_output(const std::vector<double>& edges, const std::vector<double>& velocities) const {
-    OutputFile output(file, {"case", "resolved", 2, 2}, OutputFile::Existing::replace);
+    OutputFile output(file, {"case", "resolved", 2, 2}, Existing::replace);
     output.write({0, 0, {2, 2, 6, 6}, {9, 9, 9, 9}, {10, 0, 0, 8}, {0, 0, 0, 0}});
     output.write({4, 0.5, {1, 1, 4, 1}, velocities, edges, {0, 0, 1, 0}});
     output.begin({});
@@ -111,7 +111,7 @@ TEST_F(StartOutput, KeepsTheOffsetOfItsImages) {
 TEST_F(StartOutput, WithSpheresThatOverlapWhereTheImagesAreDisplacedIsRejected) {
   // Disk 0 at (2, 7.75) has an image at (2 - offset, -0.25): on disk 1 at (6, 0.25) for -4.
   const auto write_pair = [&](double offset) {
-    OutputFile output(file, {"case", "resolved", 2, 2}, OutputFile::Existing::replace);
+    OutputFile output(file, {"case", "resolved", 2, 2}, Existing::replace);
     output.write({0, 0, {2, 7.75, 6, 0.25}, {1, 0, 0, 0}, {10, 0, offset, 8}, {0, 0, 0, 0}});
     output.begin({});
   };

@@ -15,7 +15,6 @@
 namespace zenosphere {
 
 namespace fs = std::filesystem;
-using Existing = OutputFile::Existing;
 
 inline const OutputFile::Header planar_pair{"a = 1  # \u00b5\n", "a = 1\n", 2, 2};
 

@@ -1,0 +1,1 @@
+"""What collapses: its spheres, contacts, and how it closes."""

@@ -1,0 +1,1 @@
+"""The granular temperature of a cooling gas, with Haff's law."""

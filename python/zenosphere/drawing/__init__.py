@@ -1,0 +1,1 @@
+"""What every figure has: files, sizes, colours, and words."""

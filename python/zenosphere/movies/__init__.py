@@ -1,0 +1,1 @@
+"""Snapshots one after another."""
