@@ -211,7 +211,7 @@ export class SphereView {
     for (let n = 0; n < run.spheres; ++n) {
       const isMember = members.has(n);
       spheres.centre.set(cell.drawn(this.place(cell, frame, n)), 3 * n);
-      spheres.radius[n] = isMember || state.show === "all" ? FULL : DOT[run.dimension - 1];
+      spheres.radius[n] = isMember || state.show === "all" ? this.radius(n) : DOT[run.dimension - 1];
       spheres.ring[n] = inPair.has(n) ? 1 : 0;
       spheres.tint.set(isMember ? rgb(inPair.has(n) ? VERMILION : BLUE) : tint(n), 3 * n);
     }
@@ -222,6 +222,11 @@ export class SphereView {
     this.nameAll((sphere) => cell.drawn(at(sphere)), cell);
   }
 
+  /** True radius of a sphere. */
+  radius(n) {
+    return this.run.grains?.radii[n] ?? FULL;
+  }
+
   showGroup(cell) {
     const { spheres } = this.stage,
       { group } = this;
@@ -229,7 +234,7 @@ export class SphereView {
     const places = this.placesOfGroup();
     [...places].forEach(([sphere, at], n) => {
       spheres.centre.set(at, 3 * n);
-      spheres.radius[n] = FULL;
+      spheres.radius[n] = this.radius(sphere);
       spheres.ring[n] = inPair.has(sphere) ? 1 : 0;
       spheres.tint.set(rgb(inPair.has(sphere) ? VERMILION : BLUE), 3 * n);
     });

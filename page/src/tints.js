@@ -21,6 +21,22 @@ export function colouringsOf(run, frames) {
       value: (_, n) => Math.floor(frames.positions[n * D + axis]),
     },
   };
+  if (run.grains?.kinds.length) {
+    found.kind = {
+      name: `species (${run.grains.names.map((name, k) => `${k} ${name}`).join(", ")})`,
+      unit: "",
+      isLog: false,
+      value: (_, n) => run.grains.kinds[n],
+    };
+  }
+  if (run.grains?.radii.length) {
+    found.diameter = {
+      name: "diameter",
+      unit: "",
+      isLog: false,
+      value: (_, n) => 2 * run.grains.radii[n],
+    };
+  }
   if (frames.collisions.length) {
     found.collisions = {
       name: "collisions so far",
