@@ -94,6 +94,12 @@ class Case:
         diameter, mass, kind, immobile = self._core.grains()
         return Grains(diameter, mass, kind, immobile.astype(bool))
 
+    @property
+    def grains_if_different(self) -> Grains | None:
+        """The same, or None where all are mobile unit spheres of one kind."""
+        has_kinds = "species" in self.tables or "polydispersity" in self.tables
+        return self.grains if has_kinds else None
+
     def __eq__(self, other: object) -> bool:
         return self.resolved == other.resolved if isinstance(other, Case) else NotImplemented
 

@@ -116,6 +116,7 @@ class Snapshots(Sequence[State]):
 
     def __init__(self, output: Output) -> None:
         self._core = output._core
+        self._grains = output.case.grains_if_different
         self._shear_rate = float(output.case.tables["drive"].get("shear_rate", 0.0))
 
     def __len__(self) -> int:
@@ -143,7 +144,8 @@ class Snapshots(Sequence[State]):
         peculiar = velocities.copy()
         if self._shear_rate:  # the imposed profile (docs/file-format.md)
             peculiar[:, 0] -= self._shear_rate * (positions[:, 1] - box_edges[1, 1] / 2)
-        return State(collisions, time, positions, velocities, peculiar, box_edges, images, spins)
+        return State(collisions, time, positions, velocities, peculiar, box_edges, images, spins,
+                     self._grains)
 
 
 def open(path: str | os.PathLike[str]) -> Output:  # noqa: A001

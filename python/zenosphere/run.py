@@ -5,6 +5,7 @@ import operator
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
+from functools import cached_property
 from types import TracebackType
 from typing import Any
 
@@ -12,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from .case import Case, Overrides
+from .case import Case, Grains, Overrides
 from .errors import InputError, OutputError
 from .toml_text import override_texts
 
@@ -43,6 +44,7 @@ class State:
     images: (N, D) int32, through how many boxes each sphere has come since the start, along the
     box vectors; None in a file of a program that did not count them
     angular_velocities: (N, 3), in two dimensions (N, 1), radians/time; None where nothing turns
+    grains: what the spheres are; None: unit spheres
     """
 
     collisions: int
@@ -53,6 +55,7 @@ class State:
     box_edges: NDArray[np.float64]
     images: NDArray[np.int32] | None = None
     angular_velocities: NDArray[np.float64] | None = None
+    grains: Grains | None = None
 
     def __eq__(self, other: object) -> bool:
         """Whether all numbers are equal."""
@@ -78,8 +81,11 @@ class State:
 
     @property
     def granular_temperature(self) -> float:
-        """Mean square of one component of the peculiar velocity now, (diameter/time)^2."""
-        return float(np.mean(self.peculiar_velocities**2))
+        """Mean of m v^2 / D of the mobile spheres now, v peculiar, mass (diameter/time)^2."""
+        if self.grains is None:
+            return float(np.mean(self.peculiar_velocities**2))
+        mobile = ~self.grains.immobile
+        return float(np.mean((self.grains.mass[:, None] * self.peculiar_velocities**2)[mobile]))
 
 
 class Run:
@@ -147,7 +153,11 @@ class Run:
 
     def state(self) -> State:
         """Positions and velocities now; copies, see `State`."""
-        return State(*self._core.state())
+        return State(*self._core.state(), self._grains)
+
+    @cached_property
+    def _grains(self) -> Grains | None:
+        return self.case.grains_if_different
 
     def summary(self) -> dict[str, Any]:
         """The summary of the run so far, as `--json` prints it (docs/summary.md).

@@ -90,6 +90,7 @@ struct Case {
     std::optional<Axis> axis;  ///< normal of the walls; none: no walls
     double restitution = 1;
     double tangential_restitution = -1;  ///< -1 smooth, 0 the sphere takes the wall's velocity
+    std::optional<Friction> friction{};  ///< of rough spheres; none: unbounded
     double lower_speed = 0;              ///< of the wall along x, diameters/time
     double upper_speed = 0;
   } walls;

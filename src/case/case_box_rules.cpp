@@ -42,7 +42,7 @@ bool is_lattice(const Case& values) { return values.start.arrangement == Arrange
 /// What a side must be longer than: two cells for the largest spheres, or one of them between
 /// walls.
 double least_side_of(const Case& values, int axis) {
-  return least_side(closed_axis(values) == axis) * values.system.sizes.largest;
+  return least_side(closed_axis(values) == axis) * std::max(1.0, values.system.sizes.largest);
 }
 
 bool are_alike(const Case& values) {

@@ -16,16 +16,17 @@ namespace zenosphere {
 double cell_width_of(const Case& values) {
   const std::vector<double> sides = box_sides(values);
   const double volume = std::accumulate(sides.begin(), sides.end(), 1.0, std::multiplies<>());
+  const double largest = values.system.sizes.largest;
   const double width =
-      fitting_cell_width(volume, values.system.spheres, static_cast<int>(sides.size()));
+      fitting_cell_width(volume, values.system.spheres, static_cast<int>(sides.size()), largest);
   double narrowest = width;
   for (std::size_t axis = 0; axis < sides.size(); ++axis) {
     const bool is_closed = closed_axis(values) == static_cast<int>(axis);
     if (!is_closed) narrowest = std::min(narrowest, sides[axis] / 2);  // two cells at least
   }
-  // Of (narrowest - 1) / 2, the radius of a ball, four grains are lost: at most half of it.
+  // Of (narrowest - largest) / 2, the radius of a ball, four grains are lost: at most half of it.
   constexpr double most_in_grains = AnchorCells::grains_a_cell / 16.0;
-  return std::min(width, std::max(most_in_grains * (narrowest - 1), narrowest));
+  return std::min(width, std::max(most_in_grains * (narrowest - largest), narrowest));
 }
 
 template <int Dim, class Real>

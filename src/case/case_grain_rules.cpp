@@ -42,6 +42,17 @@ Objection rotation_of_rough_spheres(const Case& values) {
   return "(not together with friction); remove one of the two";
 }
 
+/// The keys of [collision] are not there on a line.
+Objection rough_contact_on_a_line(const Case& values) {
+  const auto is_rough = [](const SpeciesContact& contact) { return contact.friction.has_value(); };
+  if (values.system.dimension > 1 ||
+      std::none_of(values.contacts.begin(), values.contacts.end(), is_rough)) {
+    return std::nullopt;
+  }
+  return "(nothing turns on a line, and a [[contact]] has a friction); remove it or use 2 or 3 "
+         "dimensions";
+}
+
 Objection immobile_under_shear(const Case& values) {
   if (values.drive.kind != DriveKind::shear || !has_immobile(values)) return std::nullopt;
   return "(an immobile species would cut through the sliding images of the box); shear by immobile "
@@ -75,6 +86,7 @@ std::span<const Rule> grain_rules() {
       {{"collision.restitution_law", "collision.friction", "polydispersity.spread"},
        law_of_equal_spheres},
       {{"collision.rotation_angle", "collision.friction"}, rotation_of_rough_spheres},
+      {{"system.dimension"}, rough_contact_on_a_line},
       {{"drive.kind"}, immobile_under_shear},
       {{"gravity.acceleration"}, immobile_under_gravity}};
   return rules;

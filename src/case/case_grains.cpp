@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "model/elementary.hpp"
+#include "model/instantiate.hpp"
 #include "model/power.hpp"
 #include "model/random.hpp"
 
@@ -69,6 +70,21 @@ double mass_of(const Species& species, int dimension) {
   return species.mass.value_or(power_of(species.diameter, dimension));
 }
 
+std::int32_t kind_named(const std::string& name, const Case& values) {
+  const auto is_it = [&](const Species& species) { return species.name == name; };
+  const auto found = std::find_if(values.species.begin(), values.species.end(), is_it);
+  return static_cast<std::int32_t>(found - values.species.begin());
+}
+
+template <class Real>
+ContactConstants<Real> constants_of(double restitution, double tangential_restitution,
+                                    Friction friction) {
+  const bool is_bounded = std::isfinite(friction.coefficient);
+  return {
+      from_decimal<Real>(restitution), from_decimal<Real>(tangential_restitution),
+      is_bounded ? from_decimal<Real>(friction.coefficient) : ContactConstants<Real>::unbounded()};
+}
+
 /// The species of a case, or the unit spheres that are there without any.
 std::vector<Species> all_species(const Case& values) {
   if (!values.species.empty()) return values.species;
@@ -94,10 +110,34 @@ double largest_spread(SizeDistribution distribution) {
   return distribution == SizeDistribution::normal ? 0.328 : 1.0;
 }
 
+template <class Real>
+std::optional<ContactTable<Real>> contact_table_of(const Case& values) {
+  const auto& collision = values.collision;
+  if (values.contacts.empty() && !collision.friction) return std::nullopt;
+  const ContactConstants<Real> of_all =
+      constants_of<Real>(values.system.restitution, collision.tangential_restitution.value_or(-1),
+                         collision.friction.value_or(Friction{}));
+  const auto kinds = static_cast<std::int32_t>(std::max<std::size_t>(values.species.size(), 1));
+  ContactTable<Real> table(kinds, of_all);
+  for (const SpeciesContact& contact : values.contacts) {
+    table.set(
+        kind_named(contact.between[0], values), kind_named(contact.between[1], values),
+        constants_of<Real>(
+            contact.restitution.value_or(values.system.restitution),
+            contact.tangential_restitution.value_or(collision.tangential_restitution.value_or(-1)),
+            contact.friction.value_or(collision.friction.value_or(Friction{}))));
+  }
+  return table;
+}
+
 bool is_rough(const Case& values) {
-  const auto has_friction = [](const auto& contact) { return contact.friction.has_value(); };
-  return values.collision.friction ||
-         std::any_of(values.contacts.begin(), values.contacts.end(), has_friction);
+  const auto table = contact_table_of<double>(values);
+  return table && table->is_rough();
+}
+
+bool are_unit_spheres(const Case& values) {
+  return values.species.empty() && values.contacts.empty() && !is_polydisperse(values) &&
+         !values.collision.friction;
 }
 
 std::vector<std::int64_t> spheres_by_species(const Case& values) {
@@ -156,5 +196,10 @@ SizeSummary sizes_of(const Case& values) {
   sizes.mean_power /= static_cast<double>(grains.diameters.size());
   return sizes;
 }
+
+#define ZENOSPHERE_INSTANTIATE(Real) \
+  template std::optional<ContactTable<Real>> contact_table_of<Real>(const Case&);
+ZENOSPHERE_FOR_EACH_REAL(ZENOSPHERE_INSTANTIATE)
+#undef ZENOSPHERE_INSTANTIATE
 
 }  // namespace zenosphere

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "case/case.hpp"
+#include "model/contact_table.hpp"
 #include "model/grains.hpp"
 
 namespace zenosphere {
@@ -13,8 +15,15 @@ namespace zenosphere {
 /// the lognormal one.
 double largest_spread(SizeDistribution distribution);
 
-/// Whether spheres are rough, all or in some pairs: then they turn.
+/// The constants of contact of each pair of kinds, if they are not system.restitution for all.
+template <class Real>
+std::optional<ContactTable<Real>> contact_table_of(const Case& values);
+
+/// Whether spheres turn: some pair sticks or slides.
 bool is_rough(const Case& values);
+
+/// Whether all are smooth unit spheres of one kind that collide at one restitution law.
+bool are_unit_spheres(const Case& values);
 
 /// Number of spheres of each species, in their order; they add up to system.spheres. Shares are
 /// rounded down, and those that lose most get one of the spheres left over.

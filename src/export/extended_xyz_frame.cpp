@@ -11,10 +11,9 @@ namespace {
 
 /// Columns and keys of what unit spheres of one kind that do not turn lack.
 std::string more_columns(const Frame& frame) {
-  std::string text;
-  if (!frame.are_alike()) text += ":masses:R:1:kind:I:1";
-  if (frame.has_spins()) text += ":angular_velocity:R:3";
-  return text + (frame.collisions.empty() ? "" : ":collisions:I:1");
+  return fmt::format("{}{}{}", frame.are_alike() ? "" : ":masses:R:1:kind:I:1",
+                     frame.has_spins() ? ":angular_velocity:R:3" : "",
+                     frame.collisions.empty() ? "" : ":collisions:I:1");
 }
 
 std::string kinds(const Frame& frame) {

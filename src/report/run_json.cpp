@@ -1,5 +1,6 @@
 #include "report/run_json.hpp"
 
+#include "case/case_grains.hpp"
 #include "storage/info.hpp"
 #include "text/json.hpp"
 
@@ -73,6 +74,17 @@ Json json_of(const Case& values) {
           {"seed", values.start.seed}};
 }
 
+/// Radii and kinds of the spheres, or null where all are unit spheres.
+Json grains_json(const Case& values) {
+  const Grains<double> grains = grains_of(values);
+  if (grains.are_alike()) return {};
+  std::vector<double> radii;
+  for (const double diameter : grains.diameters) radii.push_back(diameter / 2);
+  Json names = Json::array();
+  for (const Species& species : values.species) names.push_back(species.name);
+  return {{"radii", radii}, {"kinds", grains.kinds}, {"names", names}};
+}
+
 /// Text of a file that should be JSON, or null where it is not.
 Json parsed(const std::optional<std::string>& text) {
   if (!text) return {};
@@ -122,6 +134,7 @@ std::string run_json(const std::string& name, const RunFile& file, const Case& v
                   {"compiler_flags", info.compiler_flags},
                   {"log_complete", info.log_complete},
                   {"values", json_of(values)},
+                  {"grains", grains_json(values)},
                   {"summary", Json::parse(to_json(info))},
                   {"anatomy", {{"hit", json_of(anatomy.hit)}, {"arrest", json_of(anatomy.arrest)}}},
                   {"adjudication", parsed(file.adjudication())},

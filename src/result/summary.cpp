@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "result/summary_species.hpp"
 #include "text/counted.hpp"
 #include "text/json.hpp"
 
@@ -260,7 +261,7 @@ std::string cost_lines(const Summary& s) {
 }  // namespace
 
 std::string to_json(const Summary& summary, int dimension) {
-  const Json json = {
+  Json json = {
       {"collisions", summary.collisions},
       {"collisions_per_sphere", summary.collisions_per_sphere},
       {"time", summary.time},
@@ -283,6 +284,7 @@ std::string to_json(const Summary& summary, int dimension) {
       {"anatomy",
        {{"hit", dissected(summary.anatomy.hit)}, {"arrest", dissected(summary.anatomy.arrest)}}},
       {"self_check", or_null(summary.self_check)}};
+  add_species(summary, json);
   return json.dump();
 }
 
@@ -296,6 +298,7 @@ std::string to_text(const Summary& summary, int dimension, const std::string& ke
     text += AverageLines(digits_of_averages(summary.collisions))
                 .of(*summary.averages, static_cast<std::size_t>(dimension));
   }
+  text += species_lines(summary);
   return text;
 }
 

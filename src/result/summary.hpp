@@ -77,6 +77,15 @@ struct Summary {
     std::int64_t rotated = 0;                ///< collisions with the relative velocity turned
   } contact;
 
+  /// A species of the case, with its temperatures in the mean; none where there are no averages.
+  struct Kind {
+    std::string name;
+    std::int64_t spheres = 0;
+    std::optional<double> granular_temperature{};    ///< mass (diameter/time)^2
+    std::optional<double> rotational_temperature{};  ///< likewise
+  };
+  std::vector<Kind> species{};
+
   std::optional<Averages> averages;  ///< absent where the measured span is empty
 
   std::optional<std::string> self_check;  ///< what cannot be right, where that ended the run

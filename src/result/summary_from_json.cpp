@@ -96,6 +96,9 @@ std::optional<Averages> averages(const Json& json, int dimension) {
   read(json, "normal_speed", averages.normal_speed);
   read(json, "other_work", averages.other_work);
   read(json.at("wall_pressure"), averages.wall_pressure);
+  if (json.contains("rotational_temperature")) {
+    read(json, "rotational_temperature", averages.rotational_temperature);
+  }
   require_extents(averages, dimension);
   return averages;
 }
@@ -153,6 +156,17 @@ void read_contact(const Json& json, Summary::Contact& contact) {
   read(json, "rotated", contact.rotated);
 }
 
+void read_species(const Json& json, Summary& summary) {
+  for (const Json& row : json) {
+    Summary::Kind kind;
+    read(row, "name", kind.name);
+    read(row, "spheres", kind.spheres);
+    read(row, "granular_temperature", kind.granular_temperature);
+    read(row, "rotational_temperature", kind.rotational_temperature);
+    summary.species.push_back(std::move(kind));
+  }
+}
+
 Summary summary_of(const Json& json, int dimension) {
   Summary summary;
   read(json, "collisions", summary.collisions);
@@ -163,6 +177,7 @@ Summary summary_of(const Json& json, int dimension) {
   read_collapse(json, summary);
   read(json, "absorbed", summary.absorbed);
   summary.averages = averages(json.at("averages"), dimension);
+  if (json.contains("species")) read_species(json.at("species"), summary);
   read(json, "ledger_error", summary.ledger_error);
   read(json, "wall_seconds", summary.wall_seconds);
   read(json, "collisions_per_second", summary.collisions_per_second);

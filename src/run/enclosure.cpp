@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "case/case_grains.hpp"
 #include "case/case_words.hpp"
 #include "model/contact.hpp"
 #include "model/instantiate.hpp"
@@ -119,7 +120,8 @@ std::optional<std::int64_t> place_to_enclose(const Case& values, const JudgedApp
   const bool is_free = !values.walls.axis && values.drive.kind != DriveKind::random &&
                        std::all_of(gravity.begin(), gravity.end(), [](double g) { return g == 0; });
   const bool is_simple = collision.restitution_law == RestitutionLaw::constant &&
-                         collision.contact_duration == 0 && collision.rotation_angle == 0;
+                         collision.contact_duration == 0 && collision.rotation_angle == 0 &&
+                         are_unit_spheres(values);
   const bool is_spent = approach.finding == Finding::singular;
   const std::size_t size = approach.spheres.size();
   if (values.system.dimension < 2 || !is_free || !is_simple || !is_spent) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "case/case_box.hpp"
+#include "case/case_grains.hpp"
 #include "case/case_words.hpp"
 #include "proof/certify_rods.hpp"
 #include "run/approach_sentence.hpp"
@@ -26,7 +27,7 @@ bool is_of_rods(const Case& values) {
   return values.system.dimension == 1 && values.system.spheres >= 2 &&
          values.system.spheres <= most_rods && values.drive.kind == DriveKind::none &&
          !values.walls.axis && !falls && values.start.arrangement == Arrangement::given &&
-         !values.start.granular_temperature &&
+         !values.start.granular_temperature && are_unit_spheres(values) &&
          collision.restitution_law == RestitutionLaw::constant && collision.contact_duration == 0;
 }
 

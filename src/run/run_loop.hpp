@@ -16,6 +16,7 @@
 #include "run/recorder.hpp"
 #include "run/setup.hpp"
 #include "run/snapshot_of.hpp"
+#include "run/species_summary.hpp"
 #include "run/state_head.hpp"
 #include "run/stepped_run.hpp"
 #include "run/stopwatch.hpp"
@@ -258,6 +259,7 @@ class Run final : public SteppedRun {
   Summary summary_at(const Simulation<Dim, Real>& simulation) const {
     Summary summary;
     observers_.add_to(summary, simulation);
+    summary.species = species_summary(values_, summary.averages);
     summary.ended_by = ended_by_;
     summary.verdict = word(verdict(course_of(summary)));
     const bool is_interrupted = ended_by_ == "signal" || ended_by_ == "self-check";

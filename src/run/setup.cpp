@@ -1,5 +1,6 @@
 #include "run/setup.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,6 +35,16 @@ std::vector<Vec<Dim, Real>> in_precision(const std::vector<Vec<Dim, double>>& ve
   return result;
 }
 
+template <int Dim, class Real>
+std::vector<Spin<Dim, Real>> spins(const std::vector<double>& numbers) {
+  constexpr std::size_t axes = spin_axes<Dim>;
+  std::vector<Spin<Dim, Real>> spins(numbers.size() / axes);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    spins[k / axes][static_cast<int>(k % axes)] = from_decimal<Real>(numbers[k]);
+  }
+  return spins;
+}
+
 /// What spheres are, in the precision of Real.
 template <class Real, class Convert>
 Grains<Real> converted(const Grains<double>& grains, const Convert& convert) {
@@ -51,6 +62,7 @@ Configuration<Dim, Real> given_configuration(const Case& values, const ShearBox<
                                  vectors<Dim, Real>(given.velocities),
                                  from_decimal<Real>(given.offset)};
   start.grains = converted<Real>(given.grains, from_decimal<Real>);
+  if (is_rough(values)) start.spins = spins<Dim, Real>(given.spins);
   if (values.start.granular_temperature) {
     Random random(values.start.seed);
     start.velocities = in_precision<Dim, Real>(
@@ -104,6 +116,7 @@ ContactRules<Real> contact_rules_of(const Case& values) {
   rules.models.contact_duration = from_decimal<Real>(collision.contact_duration);
   rules.models.rotation_angle = from_decimal<Real>(collision.rotation_angle);
   rules.models.seed = values.start.seed;
+  rules.table = contact_table_of<Real>(values);
   return rules;
 }
 
@@ -119,6 +132,9 @@ Surroundings<Dim, Real> surroundings_of(const Case& values) {
         .axis = static_cast<int>(*values.walls.axis),
         .restitution = from_decimal<Real>(values.walls.restitution),
         .tangential_restitution = from_decimal<Real>(values.walls.tangential_restitution),
+        .friction = values.walls.friction && std::isfinite(values.walls.friction->coefficient)
+                        ? from_decimal<Real>(values.walls.friction->coefficient)
+                        : ContactConstants<Real>::unbounded(),
         .speed = {from_decimal<Real>(values.walls.lower_speed),
                   from_decimal<Real>(values.walls.upper_speed)}};
   }
@@ -143,7 +159,9 @@ Simulation<Dim, Real> archived_simulation(const Case& values, ArchiveReader& arc
 std::optional<double> constant_restitution(const Case& values) {
   const auto& collision = values.collision;
   const bool is_constant = collision.restitution_law == RestitutionLaw::constant;
-  if (!is_constant || collision.contact_duration > 0) return std::nullopt;
+  if (!is_constant || collision.contact_duration > 0 || !are_unit_spheres(values)) {
+    return std::nullopt;
+  }
   return values.system.restitution;
 }
 

@@ -77,6 +77,9 @@ class Rows {
     for (const auto& [name, column, expected] : columns_.fixed) {
       note(name, number_at(column) / expected, name.starts_with("mass") ? mass : diameter);
     }
+    for (std::size_t n = dimension_ == 3 ? 0 : 2; n < columns_.spin.count; ++n) {
+      frame.spins.push_back(number_at(columns_.spin.first + n));
+    }
     if (diameter) frame.diameters.push_back(*diameter);
     if (mass) frame.masses.push_back(*mass);
     for (std::size_t n = 0; n < columns_.momentum.count; ++n) require_product(n, mass.value_or(1));

@@ -17,7 +17,8 @@ struct XyzFrame {
   std::optional<std::array<bool, 3>> is_periodic;  ///< along x, y, z; none: not told
   std::vector<double> diameters{};                 ///< N; empty if the file does not tell them
   std::vector<double> masses{};                    ///< N; likewise
-  bool needs_masses = false;  ///< the velocities are momenta of spheres of unknown mass
+  std::vector<double> spins{};  ///< angular velocities, N x 3, in two dimensions N; likewise
+  bool needs_masses = false;    ///< the velocities are momenta of spheres of unknown mass
 };
 
 /// Reads a frame of an extended XYZ file.
@@ -25,10 +26,11 @@ struct XyzFrame {
 /// A frame is a line with the number of spheres, a line with Lattice="..." and Properties=..., and
 /// one line a sphere. Of the columns that Properties names, `pos` and `velo` (also `vel`,
 /// `velocity`, `velocities`, `momenta`) are read; `radius`, `diameter` and `mass` say what the
-/// spheres are; the others are skipped. Momenta are divided by the masses. Without Properties, the
-/// columns are a word and three coordinates. In fewer than three dimensions the coordinates beyond
-/// must be 0. `Origin` is the lowest corner of the box. Of the numbers of Lattice that are beside
-/// its diagonal only the offset of the second vector along the first may not be 0.
+/// spheres are; `angular_velocity` how they turn; the others are skipped. Momenta are divided by
+/// the masses. Without Properties, the columns are a word and three coordinates. In fewer than
+/// three dimensions the coordinates beyond must be 0. `Origin` is the lowest corner of the box. Of
+/// the numbers of Lattice that are beside its diagonal only the offset of the second vector along
+/// the first may not be 0.
 ///
 /// \param dimension  D
 /// \param spheres    N, which the frame must have

@@ -93,8 +93,9 @@ GivenStart start_from_output(const Case& values, const std::string& file) {
                                edge));
     }
   }
-  return {dimension, std::move(stored.positions), std::move(stored.velocities), std::move(sides),
-          offset};
+  return {
+      dimension, std::move(stored.positions), std::move(stored.velocities),        std::move(sides),
+      offset,    std::move(stored.grains),    std::move(stored.angular_velocities)};
 }
 
 /// The offset of the images reduced to half a side; none between walls along x or y.
@@ -144,7 +145,8 @@ GivenStart start_from_text(const Case& values, const std::string& file) {
           std::move(frame.velocities),
           std::move(frame.sides),
           frame.offset,
-          {std::move(frame.diameters), std::move(frame.masses)}};
+          {std::move(frame.diameters), std::move(frame.masses)},
+          std::move(frame.spins)};
 }
 
 /// Every centre a radius away from walls at least, and elsewhere so near that it has its digits.
@@ -286,9 +288,13 @@ GivenStart given_start(const Case& values) {
   if (!is_written) require_equal_grains(start.grains, grains_of(values), where);
   start.grains = grains_of(values);
   reduce_offset(values, start, where);
-  if (values.start.granular_temperature) start.velocities.clear();
+  if (values.start.granular_temperature) {
+    start.velocities.clear();
+    start.spins.clear();
+  }
   const auto is_finite = [](double number) { return std::isfinite(number); };
-  if (!std::all_of(start.velocities.begin(), start.velocities.end(), is_finite)) {
+  if (!std::all_of(start.velocities.begin(), start.velocities.end(), is_finite) ||
+      !std::all_of(start.spins.begin(), start.spins.end(), is_finite)) {
     reject(where, "has velocities that are not finite numbers; give others");
   }
   if (const auto wrong = case_format::wrong_speed(start.velocities, start.dimension)) {

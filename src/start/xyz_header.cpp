@@ -181,6 +181,7 @@ void note_columns(const std::string& name, Columns::Span span, Columns& columns,
     found = span;
     if (!is_momentum) columns.velocity_name = name;
   }
+  if (name == "angular_velocity" && span.count == 3) columns.spin = span;
   columns.has_masses = columns.has_masses || is_one_of(name, mass_names);
   for (const auto& [fixed, value] : fixed_names) {
     if (fixed == name) columns.fixed.push_back({name, span.first, value});

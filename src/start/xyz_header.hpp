@@ -30,6 +30,7 @@ struct Columns {
   bool has_momenta = false;          ///< the velocities are momenta
   Span momentum;                     ///< beside velocities, whose numbers it must repeat: mass 1
   bool has_masses = false;           ///< a column tells that the mass is 1
+  Span spin;                         ///< three columns, or none
   std::vector<Fixed> fixed;          ///< radius, diameter, mass
   std::optional<std::size_t> total;  ///< columns in all; none: more may follow
 };

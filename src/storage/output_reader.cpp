@@ -155,6 +155,15 @@ std::vector<double> row(const Handle& file, const std::string& path,
   return row;
 }
 
+/// What the file tells of each sphere; empty where it does not.
+std::vector<double> column(const Handle& file, const std::string& name, std::int64_t spheres) {
+  const Handle group = hdf5::opened(file, "particles/spheres");
+  if (!hdf5::contains(group, name)) return {};
+  if (hdf5::shape(group, name) != std::vector{spheres})
+    throw hdf5::Error(name + " has another shape");
+  return hdf5::values<double>(group, name);
+}
+
 /// Throws where the numbers that the file is about cannot be those of a run.
 void require_plausible(const OutputInfo& info) {
   if (info.dimension < 1 || info.dimension > 3) throw hdf5::Error("dimension not in [1, 3]");
@@ -235,9 +244,18 @@ StoredSnapshot snapshot_of(const fs::path& path, int dimension, std::int64_t sph
     const std::string group = "particles/spheres/";
     const std::int64_t rows = info.snapshots;
     const std::int64_t n = number.value_or(rows - 1);
-    return {dimension, spheres, row(file, group + "position/value", {spheres, dimension}, n, rows),
-            row(file, group + "velocity/value", {spheres, dimension}, n, rows),
-            row(file, group + "box/edges/value", {dimension, dimension}, n, rows)};
+    StoredSnapshot stored{dimension, spheres,
+                          row(file, group + "position/value", {spheres, dimension}, n, rows),
+                          row(file, group + "velocity/value", {spheres, dimension}, n, rows),
+                          row(file, group + "box/edges/value", {dimension, dimension}, n, rows)};
+    if (hdf5::contains(hdf5::opened(file, group), "angular_velocity")) {
+      const std::int64_t axes = dimension == 3 ? 3 : 1;
+      stored.angular_velocities =
+          row(file, group + "angular_velocity/value", {spheres, axes}, n, rows);
+    }
+    stored.grains.diameters = column(file, "diameter", spheres);
+    stored.grains.masses = column(file, "mass", spheres);
+    return stored;
   } catch (const hdf5::Error& error) {
     reject(path, fmt::format("cannot be read ({}); it may be damaged", error.what()));
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/grains.hpp"
 #include "storage/integrity.hpp"
 #include "storage/records.hpp"
 
@@ -47,6 +48,9 @@ struct StoredSnapshot {
   std::vector<double> positions;   ///< N x D, diameters
   std::vector<double> velocities;  ///< N x D, diameters/time
   std::vector<double> box_edges;   ///< D x D, diameters; the rows are the box vectors
+  /// N x 3, in two dimensions N, radians/time; empty where nothing turns.
+  std::vector<double> angular_velocities{};
+  Grains<double> grains{};  ///< only what the file tells: diameters and masses
 };
 
 /// Reads an output file, of a finished, an interrupted or a running run, and looks into the journal

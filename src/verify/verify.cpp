@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "case/case_file.hpp"
+#include "case/case_grains.hpp"
 #include "collapse/verdict.hpp"
 #include "model/errors.hpp"
 #include "result/summary.hpp"
@@ -221,6 +222,11 @@ Verification verify_file(const std::filesystem::path& path) {
   const RunFile file(path);
   const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
   require_fitting(path, file.info(), values);
+  if (!are_unit_spheres(values)) {
+    throw InputError(path.string() +
+                     ": is a run of spheres that differ or turn (verify replays smooth unit spheres "
+                     "only in this version); zenosphere export shows what is in it");
+  }
   Verification result = verification_of(file, values);
   result.notes.push_back("checksums " + sentence(integrity));
   return result;

@@ -3,6 +3,7 @@
 import os
 from typing import Any
 
+from ..errors import InputError
 from ..output import open as open_output
 from .collision_log import collision_distributions
 from .contacts import Contacts, FreePath
@@ -28,9 +29,13 @@ def analyse(path: str | os.PathLike[str], *, from_time: float | None = None,
     Returns the object that `zenosphere analyse --json` prints (docs/measurements.md), with NumPy
     arrays for its lists: `analyse("run.h5")["radial_distribution"]["g"]`. What cannot be known is
     None, in arrays NaN.
-    Raises InputError where there is no such file, or no snapshot of that time in it.
+    Raises InputError where there is no such file, no snapshot of that time in it, or its spheres
+    differ in size or mass.
     """
     output = open_output(path)
+    if output.case.grains_if_different is not None:
+        raise InputError(f"{output.path}: is a run of spheres that differ (analyse knows unit"
+                         " spheres only in this version); its averages are in the summary")
     frames = Frames(output, from_time, to_time)
     measurements = [measurement(frames) for measurement in MEASUREMENTS]
     for frame in frames:

@@ -1,7 +1,7 @@
 // What the colours of spheres mean.
-import { viridis, viridisCss } from "./colours.js";
-import { element } from "./dom.js";
-import { short } from "./format.js";
+import { viridis, viridisCss } from "../shared/colours.js";
+import { element } from "../shared/dom.js";
+import { short } from "../shared/format.js";
 
 /** Value of every sphere in a frame, and how to read it: what colours can mean. */
 export function colouringsOf(run, frames) {
@@ -21,6 +21,22 @@ export function colouringsOf(run, frames) {
       value: (_, n) => Math.floor(frames.positions[n * D + axis]),
     },
   };
+  if (run.grains?.kinds.length) {
+    found.kind = {
+      name: `species (${run.grains.names.map((name, k) => `${k} ${name}`).join(", ")})`,
+      unit: "",
+      isLog: false,
+      value: (_, n) => run.grains.kinds[n],
+    };
+  }
+  if (run.grains?.radii.length) {
+    found.diameter = {
+      name: "diameter",
+      unit: "",
+      isLog: false,
+      value: (_, n) => 2 * run.grains.radii[n],
+    };
+  }
   if (frames.collisions.length) {
     found.collisions = {
       name: "collisions so far",

@@ -1,11 +1,11 @@
 // The spheres of the snapshots in their sheared cell, and the controls of the view.
 import { bonds, Cell, length, NEAR } from "./cell.js";
-import { BLUE, rgb, VERMILION } from "./colours.js";
-import { button, element } from "./dom.js";
-import { grouped, short } from "./format.js";
+import { BLUE, rgb, VERMILION } from "../shared/colours.js";
+import { button, element } from "../shared/dom.js";
+import { grouped, short } from "../shared/format.js";
 import { acrossThe, captionOf, groupsOf, unwrapped } from "./groups.js";
 import { Player } from "./player.js";
-import { fileStem, saveMenu } from "./save.js";
+import { fileStem, saveMenu } from "../shared/save.js";
 import { Stage } from "./stage.js";
 import { colouringsOf, tintsOf } from "./tints.js";
 
@@ -211,7 +211,7 @@ export class SphereView {
     for (let n = 0; n < run.spheres; ++n) {
       const isMember = members.has(n);
       spheres.centre.set(cell.drawn(this.place(cell, frame, n)), 3 * n);
-      spheres.radius[n] = isMember || state.show === "all" ? FULL : DOT[run.dimension - 1];
+      spheres.radius[n] = isMember || state.show === "all" ? this.radius(n) : DOT[run.dimension - 1];
       spheres.ring[n] = inPair.has(n) ? 1 : 0;
       spheres.tint.set(isMember ? rgb(inPair.has(n) ? VERMILION : BLUE) : tint(n), 3 * n);
     }
@@ -222,6 +222,11 @@ export class SphereView {
     this.nameAll((sphere) => cell.drawn(at(sphere)), cell);
   }
 
+  /** True radius of a sphere. */
+  radius(n) {
+    return this.run.grains?.radii[n] ?? FULL;
+  }
+
   showGroup(cell) {
     const { spheres } = this.stage,
       { group } = this;
@@ -229,7 +234,7 @@ export class SphereView {
     const places = this.placesOfGroup();
     [...places].forEach(([sphere, at], n) => {
       spheres.centre.set(at, 3 * n);
-      spheres.radius[n] = FULL;
+      spheres.radius[n] = this.radius(sphere);
       spheres.ring[n] = inPair.has(sphere) ? 1 : 0;
       spheres.tint.set(rgb(inPair.has(sphere) ? VERMILION : BLUE), 3 * n);
     });
