@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "model/errors.hpp"
@@ -128,6 +129,31 @@ void RunFile::read_block(std::int64_t first) const {
         .angular_velocities = spin_components() > 0
                                   ? read("angular_velocity/value", spin_components())
                                   : std::vector<double>{}};
+  });
+}
+
+Grains<double> RunFile::grains() const {
+  return reading(path_, [&] {
+    Grains<double> grains;
+    const auto group = hdf5::opened(file_, spheres_group);
+    const auto read = [&]<class T>(const std::string& name, std::vector<T>& values) {
+      if (!hdf5::contains(group, name)) return;
+      require_shape(file_, spheres_group + name, {info_.spheres});
+      values = rows_of<T>(file_, spheres_group + name, 0, info_.spheres, 1);
+    };
+    read("diameter", grains.diameters);
+    read("mass", grains.masses);
+    read("species", grains.kinds);
+    read("immobile", grains.immobile);
+    const auto is_size = [](double size) { return std::isfinite(size) && size > 0; };
+    const auto is_kind = [](std::int32_t kind) {
+      return kind >= 0 && kind < Grains<double>::most_kinds;
+    };
+    const bool are_possible = std::ranges::all_of(grains.diameters, is_size) &&
+                              std::ranges::all_of(grains.masses, is_size) &&
+                              std::ranges::all_of(grains.kinds, is_kind);
+    if (!are_possible) throw hdf5::Error("spheres that there cannot be");
+    return grains;
   });
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collapse/dissection.hpp"
+#include "model/grains.hpp"
 #include "storage/hdf5.hpp"
 #include "storage/output_reader.hpp"
 #include "storage/records.hpp"
@@ -24,6 +25,9 @@ class RunFile {
 
   /// Snapshot `n`, from 0. Throws InputError where it cannot be read.
   Snapshot snapshot(std::int64_t n) const;
+
+  /// What the spheres are; all empty where they are unit spheres of one kind. Throws likewise.
+  Grains<double> grains() const;
 
   /// Rows `first` to `first + count - 1` of the log, from 0, likewise.
   std::vector<CollisionRow> rows(std::int64_t first, std::int64_t count) const;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "model/grains.hpp"
 #include "model/random.hpp"
 #include "model/vec.hpp"
 
@@ -14,7 +15,7 @@ namespace zenosphere::verify {
 template <int Dim>
 class Kicks {
  public:
-  Kicks(const Case& values, std::int64_t spheres);
+  Kicks(const Case& values, std::int64_t spheres, const Grains<double>& grains = {});
 
   /// Time of the next kick; infinity where there are none.
   double next() const { return next_; }
@@ -27,7 +28,9 @@ class Kicks {
 
  private:
   void draw();
+  void take_off_mean();
 
+  Grains<double> grains_;
   Random random_;
   std::size_t spheres_;
   double interval_;

@@ -5,7 +5,10 @@
 #include <optional>
 
 #include "case/case.hpp"
+#include "case/case_grains.hpp"
 #include "model/contact_models.hpp"
+#include "model/contact_table.hpp"
+#include "model/grains.hpp"
 #include "storage/records.hpp"
 #include "verify/motion.hpp"
 
@@ -16,8 +19,13 @@ class Law {
  public:
   using Number = long double;
 
-  Law(const Case& values, std::int64_t spheres)
+  /// \param grains  of the file
+  Law(const Case& values, std::int64_t spheres, const Grains<double>& grains = {})
       : spheres_(spheres),
+        grains_(grains),
+        table_(table_of(values)),
+        is_rough_(table_ && table_->is_rough() && values.system.dimension > 1),
+        inertia_(values.system.dimension == 3 ? 0.4L : 0.5L),
         restitution_(in_precision(values.system.restitution, values.collision.precision)),
         wall_restitution_(in_precision(values.walls.restitution, values.collision.precision)),
         rotates_(values.collision.rotation_angle > 0) {
@@ -32,13 +40,37 @@ class Law {
   /// Whether velocities after a collision follow from the log: random angles are not in it.
   bool tells_velocities() const { return !rotates_; }
 
+  /// Whether the log tells the energy that each collision takes: of friction it does not.
+  bool tells_losses() const { return !is_rough_; }
+
+  /// Whether spheres turn.
+  bool is_rough() const { return is_rough_; }
+
+  /// 1 / mass of a sphere, of an immobile one 0; of those of a row, added up.
+  Number inverse_mass(std::int32_t i) const {
+    return grains_.is_immobile(i) ? 0 : 1 / Number(grains_.mass(i));
+  }
+  Number inverse_masses(const CollisionRow& row) const {
+    return inverse_mass(row.i) + (row.j >= spheres_ ? 0 : inverse_mass(row.j));
+  }
+
+  /// q: a moment of inertia is q mass radius^2.
+  Number inertia() const { return inertia_; }
+
+  /// beta0 and mu of two spheres.
+  ContactConstants<Number> constants(const CollisionRow& row) const {
+    if (!table_) return {restitution_};
+    return table_->of(grains_.kind(row.i), grains_.kind(row.j));
+  }
+
   /// Of a pair, or of a sphere and a wall, that approach with the logged normal speed > 0: 1 where
   /// the row says that the TC model made the collision elastic.
   Number restitution(const CollisionRow& row) const {
     if ((row.flags & collision_flag::made_elastic) != 0) return 1;
     if (row.j >= spheres_) return wall_restitution_;
     if (fixed_loss_ > 0) return parting_speed(row) / row.normal_speed;
-    return viscoelastic_ ? (*viscoelastic_)(row.normal_speed) : restitution_;
+    if (viscoelastic_) return (*viscoelastic_)(row.normal_speed);
+    return table_ ? constants(row).restitution : restitution_;
   }
 
   /// The impulse of a collision of two spheres, mass diameter/time; nothing where its direction is
@@ -46,7 +78,7 @@ class Law {
   std::optional<Number> impulse(const CollisionRow& row) const {
     if (!(row.normal_speed > 0)) return 0.0L;
     if (rotates_ || is_borderline(row)) return std::nullopt;
-    return (1 + restitution(row)) / 2 * row.normal_speed;
+    return (1 + restitution(row)) / inverse_masses(row) * row.normal_speed;
   }
 
   /// What the rounding of the logged speed makes of the impulse beyond a few of its own units,
@@ -62,11 +94,27 @@ class Law {
     if (loses_fixed_energy(row)) return fixed_loss_;
     const Number speed = row.normal_speed;
     const Number e = restitution(row);
-    // Two spheres: reduced mass 1/2. A wall does not give way.
-    return (1 - e * e) * speed * speed / (row.j >= spheres_ ? 2 : 4);
+    return (1 - e * e) * speed * speed / (2 * inverse_masses(row));
   }
 
  private:
+  /// The constants of the pairs of kinds, in the precision of the run.
+  static std::optional<ContactTable<Number>> table_of(const Case& values) {
+    if (values.collision.precision != Precision::double_precision) {
+      return contact_table_of<Number>(values);
+    }
+    const auto table = contact_table_of<double>(values);
+    if (!table) return std::nullopt;
+    ContactTable<Number> same(table->kinds(), {});
+    for (std::int32_t a = 0; a < table->kinds(); ++a) {
+      for (std::int32_t b = 0; b <= a; ++b) {
+        const auto& of = table->of(a, b);
+        same.set(a, b, {of.restitution, of.tangential_restitution, of.friction});
+      }
+    }
+    return same;
+  }
+
   /// Whether the case has a fixed loss that applies to a collision of two spheres: the kinetic
   /// energy of their normal motion, v^2/4, exceeds it.
   bool loses_fixed_energy(const CollisionRow& row) const {
@@ -92,6 +140,10 @@ class Law {
   }
 
   std::int64_t spheres_;
+  Grains<double> grains_;
+  std::optional<ContactTable<Number>> table_;  ///< none: restitution_ for all, smooth
+  bool is_rough_;
+  Number inertia_;
   Number restitution_;
   Number wall_restitution_;
   bool rotates_;

@@ -106,6 +106,11 @@ void LogCheck::check_flags(const CollisionRow& row, Findings& findings) const {
                     "collision.contact_duration = 0)",
                     row.k, row.flags));
   }
+  if (has(row, collision_flag::sliding) && !law_.is_rough()) {
+    findings.add(fmt::format(
+        "collision {}: flags = {} (flag 64 is for rough spheres that slide, and these are smooth)",
+        row.k, row.flags));
+  }
 }
 
 void LogCheck::add(const CollisionRow& row) {
@@ -129,7 +134,7 @@ void LogCheck::add(const CollisionRow& row) {
 
 std::optional<Law::Number> LogCheck::take_dissipated() {
   const bool walls_rub = values_.walls.axis && values_.walls.tangential_restitution != -1;
-  if (walls_rub) return std::nullopt;
+  if (walls_rub || !law_.tells_losses()) return std::nullopt;
   return std::exchange(dissipated_, 0);
 }
 

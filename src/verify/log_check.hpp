@@ -21,9 +21,11 @@ class LogCheck {
       : LogCheck(values, spheres, last_time, values.collapse.gap_threshold.nearest_double()) {}
 
   /// \param loosest_threshold  >= that of the case; gaps between the two may be hits or not
-  LogCheck(const Case& values, std::int64_t spheres, double last_time, double loosest_threshold)
+  /// \param grains             of the file
+  LogCheck(const Case& values, std::int64_t spheres, double last_time, double loosest_threshold,
+           const Grains<double>& grains = {})
       : values_(values),
-        law_(values, spheres),
+        law_(values, spheres, grains),
         spheres_(spheres),
         last_time_(last_time),
         loosest_threshold_(loosest_threshold) {}
@@ -35,8 +37,8 @@ class LogCheck {
   void compare(const Summary& summary, Findings& findings) const;
 
   /// Energy lost in the collisions since the last call, mass diameter^2/time^2: of a sum over all
-  /// of a gas that cools the last ones are rounding. Nothing where walls take up energy of which
-  /// the log does not tell.
+  /// of a gas that cools the last ones are rounding. Nothing where walls or friction take up energy
+  /// of which the log does not tell.
   std::optional<Law::Number> take_dissipated();
   std::int64_t collisions() const { return collisions_; }
 

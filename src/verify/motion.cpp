@@ -24,7 +24,7 @@ long double in_precision(double value, Precision precision) {
 }
 
 template <int Dim>
-Motion<Dim>::Motion(const Case& values, std::int64_t spheres)
+Motion<Dim>::Motion(const Case& values, std::int64_t spheres, Number largest)
     : closed_(zenosphere::closed_axis(values)),
       shear_rate_(in_precision(values.drive.shear_rate, values.collision.precision)),
       rounding_(rounding_of(values.collision.precision)),
@@ -46,7 +46,7 @@ Motion<Dim>::Motion(const Case& values, std::int64_t spheres)
   storage_error_ = 2 * double_rounding * longest_ + rounding_ * sides_[0] * (4 + 2 * layers);
   // Contact is predicted from a cell or two away; the square of the distance is rounded.
   const Number spacing = std::pow(volume / static_cast<Number>(spheres), 1.0L / Dim);
-  const Number reach = std::min(longest_, 4 * spacing + 4);
+  const Number reach = std::min(longest_, 4 * spacing + 4 * largest);
   event_error_ = 4 * rounding_ * (longest_ + reach * reach);
 }
 
@@ -80,9 +80,10 @@ typename Motion<Dim>::Number Motion<Dim>::frame_speed(Number time) const {
 }
 
 template <int Dim>
-Body<Dim> Motion<Dim>::stored(const Vector& position, const Vector& velocity, double time) const {
+Body<Dim> Motion<Dim>::stored(const Vector& position, const Vector& velocity, double time,
+                              Number radius) const {
   const Number speed = length(velocity) + shear_rate_ * longest_ + frame_speed(time);
-  return {position, velocity, time, storage_error_, 4 * double_rounding * speed};
+  return {position, velocity, time, storage_error_, 4 * double_rounding * speed, radius};
 }
 
 template <int Dim>
@@ -145,7 +146,9 @@ Meeting<Dim> Motion<Dim>::meeting(const Body<Dim>& first, const Body<Dim>& secon
   const Number distance = length(between);
   Meeting<Dim> meeting;
   meeting.normal = between * (1 / distance);
-  meeting.gap = distance - 1;
+  meeting.velocity = velocity;
+  meeting.sigma = a.radius + b.radius;
+  meeting.gap = (distance - meeting.sigma) / meeting.sigma;
   meeting.closing = -dot(meeting.normal, velocity);
   meeting.speed = length(velocity);
   meeting.error = a.position_error + b.position_error + event_error_;
@@ -163,7 +166,8 @@ Meeting<Dim> Motion<Dim>::wall_meeting(const Body<Dim>& body, int wall, Number t
   const Number outward = wall == 0 ? -1 : 1;
   Meeting<Dim> meeting;
   meeting.normal[axis] = outward;
-  meeting.gap = (wall == 0 ? a.position[axis] : sides_[axis] - a.position[axis]) - 0.5L;
+  meeting.velocity = a.velocity * Number(-1);
+  meeting.gap = (wall == 0 ? a.position[axis] : sides_[axis] - a.position[axis]) - a.radius;
   meeting.closing = outward * a.velocity[axis];
   meeting.speed = length(a.velocity);
   meeting.error = a.position_error + event_error_;

@@ -29,17 +29,20 @@ struct Body {
   long double time = 0;
   long double position_error = 0;  ///< diameters; infinity: nothing is known
   long double velocity_error = 0;  ///< diameters/time
+  long double radius = 0.5L;       ///< diameters
 };
 
 /// Two spheres, or one and a wall, as they meet.
 template <int Dim>
 struct Meeting {
-  Vec<Dim, long double> normal;  ///< from the first to the second
-  long double gap = 0;           ///< diameters
-  long double closing = 0;       ///< normal speed, diameters/time
-  long double speed = 0;         ///< relative speed, diameters/time
-  long double error = 0;         ///< bound on that of the relative position
-  long double normal_error = 0;  ///< likewise
+  Vec<Dim, long double> normal;    ///< from the first to the second
+  Vec<Dim, long double> velocity;  ///< of the second as the first sees it, diameters/time
+  long double sigma = 1;           ///< mean diameter of the two, or a unit of length
+  long double gap = 0;             ///< surface distance / sigma
+  long double closing = 0;         ///< normal speed, diameters/time
+  long double speed = 0;           ///< relative speed, diameters/time
+  long double error = 0;           ///< bound on that of the relative position
+  long double normal_error = 0;    ///< likewise
   long double closing_error = 0;
 };
 
@@ -56,20 +59,22 @@ class Motion {
 
   static constexpr Number unknown = std::numeric_limits<Number>::infinity();
 
-  Motion(const Case& values, std::int64_t spheres);
+  /// \param largest  diameter
+  Motion(const Case& values, std::int64_t spheres, Number largest = 1);
 
   /// Says where the images are, and how fast the engine's frame may drift: as all spheres do.
   ///
   /// \param time      of a snapshot
   /// \param offset    of the upper image then
-  /// \param momentum  of all spheres then
+  /// \param momentum  sum of the velocities of all spheres then
   void start(double time, double offset, const Vector& momentum);
 
-  /// Notes that the momentum of all has changed: by walls or kicks.
+  /// Notes that the sum of all velocities has changed: by walls or kicks, or where masses differ.
   void add_momentum(const Vector& change);
 
   /// The sphere of a snapshot, whose storage is its error.
-  Body<Dim> stored(const Vector& position, const Vector& velocity, double time) const;
+  Body<Dim> stored(const Vector& position, const Vector& velocity, double time,
+                   Number radius = 0.5L) const;
 
   /// The sphere at another time if it flies on; or back, where an overlap has set back the clock.
   Body<Dim> moved(Body<Dim> body, Number time) const;

@@ -10,13 +10,15 @@
 
 namespace zenosphere::verify {
 template <int Dim>
-Replay<Dim>::Replay(const Case& values, std::int64_t spheres, std::int64_t criteria_version)
+Replay<Dim>::Replay(const Case& values, std::int64_t spheres, std::int64_t criteria_version,
+                    const Grains<double>& grains)
     : values_(values),
       criteria_version_(criteria_version),
-      motion_(values, spheres),
-      law_(values, spheres),
+      grains_(grains),
+      motion_(values, spheres, grains.largest_diameter()),
+      law_(values, spheres, grains),
       bodies_(static_cast<std::size_t>(spheres)),
-      kicks_(values, spheres) {}
+      kicks_(values, spheres, grains) {}
 
 template <int Dim>
 std::optional<int> Replay<Dim>::wall(std::int32_t j) const {
@@ -50,8 +52,10 @@ void Replay<Dim>::start(const Snapshot& snapshot) {
       position[axis] = snapshot.positions[at];
       velocity[axis] = snapshot.velocities[at];
     }
-    bodies_[i] = motion_.stored(position, velocity, snapshot.time);
+    const Number radius = grains_.radius(static_cast<std::int32_t>(i));
+    bodies_[i] = motion_.stored(position, velocity, snapshot.time, radius);
   }
+  start_turning(snapshot);
 }
 
 template <int Dim>
@@ -78,9 +82,9 @@ void Replay<Dim>::observe(const CollisionRow& row, Findings& findings) {
   if (!is_known || !check(row, meeting, findings)) {
     lose(row);
   } else if (const auto side = wall(row.j)) {
-    bounce(row, *side);
+    bounce(row, *side, meeting, findings);
   } else if (const auto impulse = law_.impulse(row)) {
-    collide(row, meeting, *impulse);
+    collide(row, meeting, *impulse, findings);
   } else {
     lose(row);
   }
@@ -121,11 +125,13 @@ bool Replay<Dim>::check(const CollisionRow& row, const Meeting<Dim>& meeting, Fi
   const bool overlapped = (row.flags & collision_flag::overlap) != 0;
   const double permitted =
       overlapped ? deepest_permitted(values_.collision.overlap, values_.collision.guard, row.time,
-                                     static_cast<double>(motion_.longest_side()))
+                                     static_cast<double>(motion_.longest_side()),
+                                     grains_.largest_diameter())
                  : 0.0;
-  if (meeting.gap > bound || meeting.gap < -(bound + permitted)) {
+  const Number distance = meeting.gap * meeting.sigma;
+  if (distance > bound || distance < -(bound + permitted)) {
     findings.add(fmt::format("{}: their gap is {:.3g} diameters there (0 within {:.2g})", place,
-                             static_cast<double>(meeting.gap), static_cast<double>(bound)));
+                             static_cast<double>(distance), static_cast<double>(bound)));
     return false;
   }
   if (!(std::abs(meeting.closing - row.normal_speed) <= meeting.closing_error)) {
@@ -141,35 +147,56 @@ bool Replay<Dim>::check(const CollisionRow& row, const Meeting<Dim>& meeting, Fi
 /// the normal, the rounding of that speed, and that of the restitution law in the engine (some
 /// units in the last place of a number <= 1; more just above a fixed loss).
 template <int Dim>
-void Replay<Dim>::collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse) {
-  const Number growth =
+void Replay<Dim>::collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse,
+                          Findings& findings) {
+  Number growth =
       impulse * meeting.normal_error + 8 * double_rounding * impulse + law_.impulse_error(row);
+  Vector change = meeting.normal * impulse;  // of the momentum of the second
+  if (law_.is_rough() && impulse > 0) {
+    change += rub(row, meeting, impulse, law_.constants(row), growth, findings);
+  }
   for (const auto& [sphere, direction] : {std::pair{row.i, -1}, std::pair{row.j, 1}}) {
+    const Number inverse_mass = law_.inverse_mass(sphere);
     Body<Dim>& one = body(sphere);
     one = motion_.moved(one, row.time);
-    one.velocity += meeting.normal * (direction * impulse);
-    one.position_error += impulse * motion_.clock_error(row.time);
-    one.velocity_error += growth + 2 * motion_.rounding() * length(one.velocity);
+    one.velocity += change * (direction * inverse_mass);
+    one.position_error += length(change) * inverse_mass * motion_.clock_error(row.time);
+    one.velocity_error += growth * inverse_mass + 2 * motion_.rounding() * length(one.velocity);
+    if (!grains_.are_alike()) motion_.add_momentum(change * (direction * inverse_mass));
   }
 }
 
 template <int Dim>
-void Replay<Dim>::bounce(const CollisionRow& row, int wall) {
+void Replay<Dim>::bounce(const CollisionRow& row, int wall, const Meeting<Dim>& meeting,
+                         Findings& findings) {
   const Case::Walls& walls = values_.walls;
   const int axis = *motion_.closed_axis();
   Body<Dim>& one = body(row.i);
   one = motion_.moved(one, row.time);
-  one.position[axis] = wall == 0 ? 0.5L : motion_.sides()[axis] - 0.5L;
+  one.position[axis] = wall == 0 ? one.radius : motion_.sides()[axis] - one.radius;
   if (!(row.normal_speed > 0)) return;
   const Precision precision = values_.collision.precision;
   const Number outward = wall == 0 ? -1 : 1;
   const Number tangential = in_precision(walls.tangential_restitution, precision);
   const Vector before = one.velocity;
   one.velocity[axis] = -outward * law_.restitution(row) * row.normal_speed;
-  for (int along = 0; along < Dim; ++along) {
+  for (int along = 0; along < Dim && !law_.is_rough(); ++along) {
     if (along == axis) continue;
     const double wall_speed = along != 0 ? 0.0 : wall == 0 ? walls.lower_speed : walls.upper_speed;
     one.velocity[along] = (1 + tangential) * wall_speed - tangential * one.velocity[along];
+  }
+  if (law_.is_rough()) {
+    Meeting<Dim> contact = meeting;
+    contact.velocity = before * Number(-1);
+    contact.velocity[0] += wall == 0 ? walls.lower_speed : walls.upper_speed;
+    const Number mass = 1 / law_.inverse_mass(row.i);
+    const Number impulse = mass * (1 + law_.restitution(row)) * row.normal_speed;
+    const Number mu =
+        walls.friction ? walls.friction->coefficient : ContactConstants<double>::unbounded();
+    Number error = impulse * 8 * double_rounding;
+    const Vector rubbed = rub(row, contact, impulse, {1, tangential, mu}, error, findings);
+    one.velocity -= rubbed * (1 / mass);
+    one.velocity_error += error / mass;
   }
   motion_.add_momentum(one.velocity - before);
   const Number change = 2 * (length(before) + length(one.velocity));
@@ -225,6 +252,7 @@ void Replay<Dim>::compare_sphere(std::int32_t i, const Snapshot& snapshot, Findi
         static_cast<double>(velocity_bound)));
   } else {
     compare_image(i, snapshot, boxes, findings);
+    if (!turning_.empty()) compare_spin(i, snapshot, findings);
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include "case/case.hpp"
 #include "collapse/verdict.hpp"
+#include "model/grains.hpp"
+#include "model/spin.hpp"
 #include "model/vec.hpp"
 #include "storage/records.hpp"
 #include "verify/findings.hpp"
@@ -42,8 +44,10 @@ class Replay {
 
   /// \param values            the case of the file
   /// \param criteria_version  of the file: what its gaps are
+  /// \param grains            likewise
   Replay(const Case& values, std::int64_t spheres,
-         std::int64_t criteria_version = zenosphere::criteria_version);
+         std::int64_t criteria_version = zenosphere::criteria_version,
+         const Grains<double>& grains = {});
 
   /// Compares a snapshot with the state where the log has led to it, and goes on from it.
   void observe(const Snapshot& snapshot, Findings& findings);
@@ -65,8 +69,10 @@ class Replay {
   Body<Dim>& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
   std::optional<int> wall(std::int32_t j) const;
   void start(const Snapshot& snapshot);
+  void start_turning(const Snapshot& snapshot);
   void compare(const Snapshot& snapshot, Findings& findings);
   void compare_sphere(std::int32_t i, const Snapshot& snapshot, Findings& findings);
+  void compare_spin(std::int32_t i, const Snapshot& snapshot, Findings& findings) const;
   void compare_image(std::int32_t i, const Snapshot& snapshot, const Vector& boxes,
                      Findings& findings) const;
   void kick_until(double time);
@@ -78,19 +84,30 @@ class Replay {
   Gap gap_before(const CollisionRow& row);
   Gap shortest_gap_before(const CollisionRow& row);
   Gap apex(const Meeting<Dim>& then, int wall) const;
-  void collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse);
-  void bounce(const CollisionRow& row, int wall);
+  void collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse,
+               Findings& findings);
+  void bounce(const CollisionRow& row, int wall, const Meeting<Dim>& meeting, Findings& findings);
+  Vector rub(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse,
+             const ContactConstants<Number>& constants, Number& error, Findings& findings);
   void count(Number error);
   void lose(const CollisionRow& row);
   void lose_all();
 
   static constexpr Number most_error = 1e-3L;  ///< diameters; what is checked is better than this
 
+  /// The spin of a sphere, radians/time, and a bound on its error.
+  struct Turning {
+    Spin<Dim, Number> spin{};
+    Number error = 0;
+  };
+
   const Case& values_;
   std::int64_t criteria_version_;
+  Grains<double> grains_;
   Motion<Dim> motion_;
   Law law_;
   std::vector<Body<Dim>> bodies_;     ///< each at its last event
+  std::vector<Turning> turning_;      ///< each; empty where nobody turns
   std::vector<std::int32_t> images_;  ///< of the snapshot where the replay has begun
   Kicks<Dim> kicks_;
   bool has_start_ = false;

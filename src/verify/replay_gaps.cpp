@@ -21,7 +21,7 @@ typename Replay<Dim>::Gap Replay<Dim>::gap_before(const CollisionRow& row) {
   if (const auto side = wall(row.j)) return apex(then, *side);
   const Meeting<Dim> contact = meeting_at(row, row.time, row.time);
   if (!(contact.error <= motion_.shortest_side() / 4)) return {then.gap, Motion<Dim>::unknown};
-  return {then.gap, then.error + flown + 4 * double_rounding * std::abs(then.gap)};
+  return {then.gap, (then.error + flown) / then.sigma + 4 * double_rounding * std::abs(then.gap)};
 }
 
 /// The same as files of the first version have it: where the two were nearest then. Of spheres far

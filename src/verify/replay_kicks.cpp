@@ -38,7 +38,8 @@ template <int Dim>
 bool Replay<Dim>::may_be_set_back_behind_a_kick(const CollisionRow& row) const {
   const bool overlapped = (row.flags & collision_flag::overlap) != 0;
   if (!overlapped || values_.collision.overlap != OverlapRule::rewind) return false;
-  const Number way = longest_way_back(motion_.longest_side(), motion_.rounding());
+  const Number way = longest_way_back(motion_.longest_side(), motion_.rounding(),
+                                      Number(grains_.largest_diameter()));
   return (kicks_.next() - row.time) * kicks_.largest() <= way;
 }
 

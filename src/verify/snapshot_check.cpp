@@ -21,13 +21,34 @@ std::string place(const Snapshot& snapshot) {
 
 }  // namespace
 
-SnapshotCheck::SnapshotCheck(const Case& values, double last_time)
+SnapshotCheck::SnapshotCheck(const Case& values, double last_time, const Grains<double>& grains)
     : values_(values),
       last_time_(last_time),
+      grains_(grains),
       sides_(box_sides(values)),
       acceleration_(values.gravity.acceleration),
       closed_(closed_axis(values)) {
   acceleration_.resize(sides_.size(), 0.0);
+  const auto spheres = static_cast<std::size_t>(values.system.spheres);
+  for (std::size_t i = 0; i < spheres; ++i) mass_ += mobile_mass(i);
+}
+
+/// Of an immobile sphere nothing counts.
+SnapshotCheck::Number SnapshotCheck::mobile_mass(std::size_t i) const {
+  const auto sphere = static_cast<std::int32_t>(i);
+  return grains_.is_immobile(sphere) ? 0 : Number(grains_.mass(sphere));
+}
+
+SnapshotCheck::Number SnapshotCheck::turning_energy(const Snapshot& snapshot) const {
+  const Number inertia = sides_.size() == 3 ? 0.4L : 0.5L;
+  const std::size_t axes = sides_.size() == 3 ? 3 : 1;
+  Number sum = 0;
+  for (std::size_t at = 0; at < snapshot.angular_velocities.size(); ++at) {
+    const Number surface = Number(snapshot.angular_velocities[at]) *
+                           grains_.radius(static_cast<std::int32_t>(at / axes));
+    sum += inertia * mobile_mass(at / axes) * surface * surface / 2;
+  }
+  return sum;
 }
 
 bool SnapshotCheck::observe(const Snapshot& snapshot, std::optional<Number> lost,
@@ -95,10 +116,11 @@ void SnapshotCheck::check_box(const Snapshot& snapshot, Findings& findings) cons
 
 void SnapshotCheck::check_overlaps(const Snapshot& snapshot, Findings& findings) const {
   const double offset = sides_.size() > 1 ? snapshot.box_edges[sides_.size()] : 0.0;
-  const Overlap overlap = deepest_overlap({snapshot.positions, sides_, offset, closed_});
-  const double permitted =
-      deepest_permitted(values_.collision.overlap, values_.collision.guard, snapshot.time,
-                        *std::max_element(sides_.begin(), sides_.end()));
+  const Overlap overlap = deepest_overlap(
+      {snapshot.positions, sides_, offset, closed_, grains_.diameters, grains_.immobile});
+  const double permitted = deepest_permitted(
+      values_.collision.overlap, values_.collision.guard, snapshot.time,
+      *std::max_element(sides_.begin(), sides_.end()), grains_.largest_diameter());
   if (overlap.depth <= permitted) return;
   findings.add(fmt::format("{}: spheres {} and {} overlap by {:.3g} diameters (at most {:.3g})",
                            place(snapshot), overlap.i, overlap.j, overlap.depth, permitted));
@@ -118,25 +140,26 @@ SnapshotCheck::Sums SnapshotCheck::sums_of(const Snapshot& snapshot,
     if (axis == 0 && dimension > 1) {
       velocity -= values_.drive.shear_rate * (snapshot.positions[at + 1] - sides_[1] / 2);
     }
-    sums.kinetic += velocity * velocity / 2;
-    sums.potential -= Number(acceleration_[axis]) * snapshot.positions[at];
-    sums.momentum[axis] += velocity;
-    sums.speeds += std::abs(velocity);
+    const Number mass = mobile_mass(at / dimension);
+    sums.kinetic += mass * velocity * velocity / 2;
+    sums.potential -= mass * Number(acceleration_[axis]) * snapshot.positions[at];
+    sums.momentum[axis] += mass * velocity;
+    sums.speeds += mass * std::abs(velocity);
   }
+  sums.kinetic += turning_energy(snapshot);
   return sums;
 }
 
-/// Walls take momentum up; elsewhere only gravity and the profile change it.
+/// Walls and immobile spheres take momentum up; elsewhere only gravity and the profile change it.
 void SnapshotCheck::check_momentum(const Sums& sums, Findings& findings) const {
-  if (closed_) return;
+  if (closed_ || !grains_.immobile.empty()) return;
   const Number time = Number(sums.time) - last_->time;
-  const auto spheres = static_cast<Number>(values_.system.spheres);
   const Number scale = std::max(sums.speeds, last_->speeds);
   for (std::size_t axis = 0; axis < sides_.size(); ++axis) {
-    const Number pull = spheres * acceleration_[axis];
+    const Number pull = mass_ * acceleration_[axis];
     Number expected = last_->momentum[axis] + pull * time;
     if (axis == 0 && sides_.size() > 1) {
-      const Number mean = last_->momentum[1] + spheres * acceleration_[1] * time / 2;
+      const Number mean = last_->momentum[1] + mass_ * acceleration_[1] * time / 2;
       expected -= values_.drive.shear_rate * mean * time;
     }
     const Number change = sums.momentum[axis] - expected;
@@ -149,8 +172,10 @@ void SnapshotCheck::check_momentum(const Sums& sums, Findings& findings) const {
 }
 
 /// Whether the log tells every change of energy: nothing drives the spheres but gravity between
-/// walls, where the way that they fall can be read from the snapshots.
+/// walls, where the way that they fall can be read from the snapshots. Immobile spheres may move
+/// and do work.
 bool SnapshotCheck::energy_is_closed() const {
+  if (!grains_.immobile.empty()) return false;
   for (std::size_t axis = 0; axis < acceleration_.size(); ++axis) {
     if (acceleration_[axis] != 0 && closed_ != static_cast<int>(axis)) return false;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "model/grains.hpp"
 #include "result/summary.hpp"
 #include "storage/records.hpp"
 #include "verify/findings.hpp"
@@ -18,7 +19,8 @@ class SnapshotCheck {
   using Number = long double;  ///< squares of speeds of any double are numbers of it
 
   /// \param last_time  that of the file: nothing happens later
-  SnapshotCheck(const Case& values, double last_time);
+  /// \param grains     likewise
+  SnapshotCheck(const Case& values, double last_time, const Grains<double>& grains = {});
 
   /// \param lost  energy, in the collisions since the snapshot before, if the log tells
   /// \return      whether a replay can begin here
@@ -35,10 +37,10 @@ class SnapshotCheck {
   struct Sums {
     std::int64_t step = 0;
     double time = 0;
-    Number kinetic = 0;                  ///< of the peculiar velocities, sum of v.v/2
+    Number kinetic = 0;                  ///< of the peculiar velocities and the spins
     Number potential = 0;                ///< of gravity
     std::vector<Number> momentum{};      ///< peculiar, D
-    Number speeds = 0;                   ///< sum of |v| over all components
+    Number speeds = 0;                   ///< sum of m |v| over all components
     std::optional<Number> lost{};        ///< since the snapshot before
     std::optional<Number> dissipated{};  ///< since the start, likewise
   };
@@ -49,10 +51,14 @@ class SnapshotCheck {
   void check_momentum(const Sums& sums, Findings& findings) const;
   void check_energy(const Sums& sums, Findings& findings);
   bool energy_is_closed() const;
+  Number mobile_mass(std::size_t i) const;
+  Number turning_energy(const Snapshot& snapshot) const;
   Sums sums_of(const Snapshot& snapshot, std::optional<Number> lost) const;
 
   const Case& values_;
   double last_time_;
+  Grains<double> grains_;
+  Number mass_ = 0;  ///< of all mobile spheres
   std::vector<double> sides_;
   std::vector<double> acceleration_;
   std::optional<int> closed_;

@@ -50,10 +50,11 @@ class Verifier {
   Verifier(const RunFile& file, const Case& values, const GapThreshold& loosest_threshold)
       : file_(file),
         values_(values),
-        replay_(values, file.info().spheres, file.info().criteria_version),
-        log_(values, file.info().spheres, file.info().last_time,
-             loosest_threshold.nearest_double()),
-        snapshots_(values, file.info().last_time),
+        grains_(file.grains()),
+        replay_(values, file.info().spheres, file.info().criteria_version, grains_),
+        log_(values, file.info().spheres, file.info().last_time, loosest_threshold.nearest_double(),
+             grains_),
+        snapshots_(values, file.info().last_time, grains_),
         arrest_(values, file.info().criteria_version),
         was_raised_(values.collapse.gap_threshold < loosest_threshold) {}
 
@@ -148,6 +149,7 @@ class Verifier {
 
   const RunFile& file_;
   const Case& values_;
+  Grains<double> grains_;
   verify::Replay<Dim> replay_;
   verify::LogCheck log_;
   verify::SnapshotCheck snapshots_;
@@ -178,6 +180,16 @@ void require_fitting(const std::filesystem::path& path, const OutputInfo& info,
   throw InputError(
       fmt::format("{}: ends at time {} (that is {:.3g} kicks of {}, too many to make again)",
                   path.string(), info.last_time, kicks, counted(info.spheres, "sphere")));
+}
+
+/// Throws where spheres are of a kind for which the case has no constants of contact.
+void require_known_kinds(const std::filesystem::path& path, const Grains<double>& grains,
+                         const Case& values) {
+  const auto table = contact_table_of<double>(values);
+  if (!table || grains.kind_count() <= table->kinds()) return;
+  throw InputError(fmt::format("{}: has spheres of {} (its case has {}); it is damaged",
+                               path.string(), counted(grains.kind_count(), "kind"),
+                               table->kinds()));
 }
 
 /// The precision that a run began with, as far as its case file tells: `resume` can raise it.
@@ -222,11 +234,7 @@ Verification verify_file(const std::filesystem::path& path) {
   const RunFile file(path);
   const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
   require_fitting(path, file.info(), values);
-  if (!are_unit_spheres(values)) {
-    throw InputError(path.string() +
-                     ": is a run of spheres that differ or turn (verify replays smooth unit spheres "
-                     "only in this version); zenosphere export shows what is in it");
-  }
+  require_known_kinds(path, file.grains(), values);
   Verification result = verification_of(file, values);
   result.notes.push_back("checksums " + sentence(integrity));
   return result;

@@ -229,12 +229,6 @@ def test_an_exported_frame_is_a_start(mixture):
     assert summary["collisions"] == 10
 
 
-def test_what_does_not_know_mixtures_yet_says_so_in_one_line(mixture):
-    mixture.keep()
-    [error] = mixture.fail("verify", "out.h5")
-    assert "spheres that differ or turn" in error
-
-
 def test_check_tells_the_species(mixture):
     text = mixture("check", "case.toml").stdout
     assert "species large" in text and "30 spheres, diameter 1.4, mass 2.744" in text

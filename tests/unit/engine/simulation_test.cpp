@@ -251,8 +251,10 @@ TEST(Walls, MakeNeighboursOfNobodyAcrossThem) {
 TEST(Walls, GiveASphereTheirSpeedWhereTheyAreRough) {
   // Falls on the upper wall, which moves at 3, with (1, 2): leaves with (3, -1) for a restitution
   // of 1/2 and none of the slip.
-  Plane disk(ShearBox<2, double>({10, 10}, 0, 1.5, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
-             {{}, Walls<double>{1, 0.5, 0, {0, 3}}});
+  Plane disk(
+      ShearBox<2, double>({10, 10}, 0, 1.5, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
+      {{},
+       Walls<double>{.axis = 1, .restitution = 0.5, .tangential_restitution = 0, .speed = {0, 3}}});
   const auto collision = disk.next_collision(10).value();
   EXPECT_EQ(disk.time(), 0.5);
   EXPECT_EQ(disk.wall(collision.j), 1);
@@ -263,8 +265,10 @@ TEST(Walls, GiveASphereTheirSpeedWhereTheyAreRough) {
 
 TEST(Walls, ReverseTheSlipWhereTheyAreElasticallyRough) {
   // Tangential restitution 1: the slip 1 - 3 = -2 becomes 2.
-  Plane disk(ShearBox<2, double>({10, 10}, 0, 1.5, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
-             {{}, Walls<double>{1, 0.5, 1, {0, 3}}});
+  Plane disk(
+      ShearBox<2, double>({10, 10}, 0, 1.5, 1), {{{5, 8.5}}, {{1, 2}}}, {1.0},
+      {{},
+       Walls<double>{.axis = 1, .restitution = 0.5, .tangential_restitution = 1, .speed = {0, 3}}});
   disk.next_collision(10).value();
   EXPECT_EQ(disk.peculiar_velocity(0), (Vec<2, double>{{5, -1}}));
 }

@@ -1,0 +1,139 @@
+"""Runs of spheres of different kinds, and of rough ones: resumed, verified, in every precision."""
+
+import h5py
+import numpy as np
+import pytest
+
+from conftest import forged
+from identity import differences
+from test_resume import extended
+from test_verify import findings, replayed
+
+MIXTURE = """\
+[system]
+dimension = {dimension}
+spheres = 120
+restitution = 0.9
+solids_volume_fraction = 0.3
+
+[[species]]
+name = "large"
+diameter = 1.4
+mass = 2.7
+share = 0.5
+
+[[species]]
+name = "small"
+diameter = 1
+mass = 1
+share = 0.5
+{species}
+[collision]
+precision = "{precision}"
+{collision}
+[start]
+arrangement = "random"
+granular_temperature = 0.5
+seed = 7
+
+[drive]
+{drive}
+
+[run]
+collisions = {collisions}
+
+[output]
+snapshot_interval = 0.13
+"""
+ROUGH = "tangential_restitution = 0.4\nfriction = 0.3"
+SHEAR = 'kind = "shear"\nshear_rate = 1'
+KICKS = 'kind = "random"\nnoise_strength = 0.1\nkick_interval = 0.07'
+WALLS = 'kind = "none"\n\n[walls]\naxis = "z"\nrestitution = 0.9\ntangential_restitution = 0.3\nupper_speed = 0.5'
+FLAT_WALLS = WALLS.replace('"z"', '"y"')
+
+
+def case(dimension=3, precision="double", collision=ROUGH, drive=SHEAR, species="", collisions=2000):
+    return MIXTURE.format(dimension=dimension, precision=precision, collision=collision, drive=drive,
+                          species=species, collisions=collisions)
+
+
+SYSTEMS = {
+    "rough": case(),
+    "smooth": case(collision=""),
+    "perfectly rough": case(collision='tangential_restitution = 1\nfriction = "unbounded"'),
+    "disks": case(dimension=2),
+    "rods": case(dimension=1, collision="", drive='kind = "none"', collisions=400),
+    "kicked": case(drive=KICKS),
+    "between rough walls": case(drive=WALLS),
+    "smooth between walls": case(drive=WALLS, collision=""),
+    "disks between walls": case(dimension=2, drive=FLAT_WALLS),
+    "constants of pairs": case(
+        species='[[contact]]\nbetween = ["large", "small"]\nrestitution = 0.7\nfriction = 0'),
+    "quad": case(precision="quad", collisions=600),
+    "digits40": case(precision="digits40", collisions=300),
+}
+
+
+@pytest.fixture(params=SYSTEMS)
+def system(request, program):
+    program.case.write_text(SYSTEMS[request.param])
+    return program
+
+
+def test_sound_file_passes_with_its_sizes_masses_and_spins(system):
+    summary, _ = system.keep()
+    assert summary["ledger_error"] < 1e-10
+    assert findings(system, code=0) == []
+    assert replayed(system) > 0.9 * summary["collisions"]
+
+
+def test_extended_run_holds_the_bits_of_one_that_ran_through(system):
+    whole, path = system.keep((), "whole.h5")
+    end = whole["collisions"]
+    assert differences(extended(system, {}, [0, end // 3, end]), path) == []
+
+
+def test_wrong_spin_is_found(program):
+    program.case.write_text(SYSTEMS["rough"])
+    _, path = program.keep()
+    with forged(path) as run:
+        spins = run["particles/spheres/angular_velocity/value"]
+        spins[2, 17, 1] += 1e-6
+    assert any("angular velocity of sphere 17" in line for line in findings(program))
+
+
+def test_wrong_mass_is_found(program):
+    program.case.write_text(SYSTEMS["smooth"])
+    _, path = program.keep()
+    with forged(path) as run:
+        run["particles/spheres/mass"][5] *= 1.001
+    assert findings(program) != []
+
+
+def test_wrong_flag_of_sliding_is_found(program):
+    program.case.write_text(SYSTEMS["rough"])
+    _, path = program.keep()
+    with forged(path) as run:
+        flags = run["collisions/flags"]
+        sliding = np.flatnonzero(flags[()] & 64)
+        assert 0 < len(sliding) < len(flags)
+        flags[sliding[10]] -= 64
+    assert any("flag 64" in line for line in findings(program))
+
+
+def test_log_tells_which_contacts_slide(program):
+    program.case.write_text(SYSTEMS["perfectly rough"])
+    _, path = program.keep()
+    with h5py.File(path) as run:
+        assert not np.any(run["collisions/flags"][()] & 64)
+
+
+def test_temperatures_of_spins_and_kinds_are_told(program):
+    program.case.write_text(SYSTEMS["rough"])
+    averages = program.run()["averages"]
+    large, small = averages["species"]
+    assert [large["name"], small["name"]] == ["large", "small"]
+    assert large["spheres"] == small["spheres"] == 60
+    mean = (large["granular_temperature"] + small["granular_temperature"]) / 2
+    assert averages["granular_temperature"] == pytest.approx(mean, rel=1e-12)
+    assert averages["rotational_temperature"] > 0
