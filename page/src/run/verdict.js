@@ -1,5 +1,5 @@
 // The verdict of a run in one sentence, and its evidence.
-import { count, grouped, pairName, short } from "./format.js";
+import { count, grouped, pairName, short } from "../shared/format.js";
 
 const unit = (run) => (run.values.drive === "shear" ? "strain" : "time");
 const moment = (run, time) =>

@@ -1,6 +1,6 @@
 // Spheres worth singling out: the clusters of the anatomy, and the pairs that repeat.
 import { length } from "./cell.js";
-import { count, DASH, grouped, pairName } from "./format.js";
+import { count, DASH, grouped, pairName } from "../shared/format.js";
 
 const TITLES = { arrest: "at the arrest", hit: "at the first hit" };
 

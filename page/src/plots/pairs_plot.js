@@ -1,6 +1,6 @@
 // The plot of which pair collides.
-import { INK, VERMILION } from "./colours.js";
-import { count, DASH, grouped, pairName } from "./format.js";
+import { INK, VERMILION } from "../shared/colours.js";
+import { count, DASH, grouped, pairName } from "../shared/format.js";
 
 const RASTER_ROWS = 10; // most_pairs of src/report/frequent_pairs.hpp
 const MOST_NAMED = 4; // pairs of a bin

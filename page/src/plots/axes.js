@@ -1,6 +1,6 @@
 // The axes of the plots over collisions.
-import { INK } from "./colours.js";
-import { grouped, power, short } from "./format.js";
+import { INK } from "../shared/colours.js";
+import { grouped, power, short } from "../shared/format.js";
 
 export const LEFT = 98; // CSS pixels, for its numbers and the names of pairs
 const FONT = "12px system-ui, sans-serif";

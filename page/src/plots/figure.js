@@ -1,5 +1,5 @@
 // A plot as a figure of its own: title, axes and what is drawn, on any context.
-import { GREY, INK } from "./colours.js";
+import { GREY, INK } from "../shared/colours.js";
 import { SvgContext } from "./svg_context.js";
 
 const TITLE = 30; // CSS pixels above the plot

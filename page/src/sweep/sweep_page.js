@@ -1,9 +1,9 @@
 // The page of a sweep: phase diagrams, and the runs and the case file of a point.
 import { diagram, diagramAsCanvas, diagramAsSvg, told } from "./diagram.js";
-import { element, section } from "./dom.js";
-import { DASH, grouped } from "./format.js";
-import { licencesSection } from "./provenance.js";
-import { csv, fileStem, saveMenu } from "./save.js";
+import { element, section } from "../shared/dom.js";
+import { DASH, grouped } from "../shared/format.js";
+import { licencesSection } from "../shared/provenance.js";
+import { csv, fileStem, saveMenu } from "../shared/save.js";
 import { findingQuestions, hasResult, QUESTIONS, runsByPoint, share } from "./statistics.js";
 import { runsOfPoint } from "./sweep_runs.js";
 import { axisName, symbol } from "./symbols.js";

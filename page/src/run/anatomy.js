@@ -1,11 +1,11 @@
 // How the collapsing cluster decays: gap, closing speed and flight of its collisions.
 import uPlot from "uplot";
-import { logNames, logTicks } from "./axes.js";
-import { BLUE, INK, VERMILION } from "./colours.js";
-import { button, element, section } from "./dom.js";
-import { figureAsCanvas, figureAsSvg } from "./figure.js";
-import { grouped, pairName, short } from "./format.js";
-import { csv, fileStem, saveMenu } from "./save.js";
+import { logNames, logTicks } from "../plots/axes.js";
+import { BLUE, INK, VERMILION } from "../shared/colours.js";
+import { button, element, section } from "../shared/dom.js";
+import { figureAsCanvas, figureAsSvg } from "../plots/figure.js";
+import { grouped, pairName, short } from "../shared/format.js";
+import { csv, fileStem, saveMenu } from "../shared/save.js";
 
 const CURVES = [
   ["gap", "gap closed", INK, "gap", "diameters"],

@@ -1,7 +1,7 @@
 // What the colours of spheres mean.
-import { viridis, viridisCss } from "./colours.js";
-import { element } from "./dom.js";
-import { short } from "./format.js";
+import { viridis, viridisCss } from "../shared/colours.js";
+import { element } from "../shared/dom.js";
+import { short } from "../shared/format.js";
 
 /** Value of every sphere in a frame, and how to read it: what colours can mean. */
 export function colouringsOf(run, frames) {

@@ -1,5 +1,5 @@
 // Lines with names in a plot.
-import { BLUE } from "./colours.js";
+import { BLUE } from "../shared/colours.js";
 
 const MARK_FONT = 11; // CSS pixels
 

@@ -1,11 +1,11 @@
 // One plot over the collision axis: bars from the smallest to the largest value of each entry.
 import uPlot from "uplot";
 import { COLLISIONS, LEFT, yAxis } from "./axes.js";
-import { BLUE, GREY, INK, VERMILION } from "./colours.js";
-import { element } from "./dom.js";
+import { BLUE, GREY, INK, VERMILION } from "../shared/colours.js";
+import { element } from "../shared/dom.js";
 import { figureAsCanvas, figureAsSvg } from "./figure.js";
 import { nameMarks } from "./marks.js";
-import { csv, fileStem, saveMenu } from "./save.js";
+import { csv, fileStem, saveMenu } from "../shared/save.js";
 
 const HEIGHT = 168; // CSS pixels
 

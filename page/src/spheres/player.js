@@ -1,5 +1,5 @@
 // Goes through the snapshots, one after another.
-import { button } from "./dom.js";
+import { button } from "../shared/dom.js";
 
 const FRAMES_PER_SECOND = 4;
 

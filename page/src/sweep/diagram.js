@@ -1,6 +1,6 @@
 // Phase diagrams: shares over one axis as points with intervals, over two as coloured cells.
-import { viridisCss } from "./colours.js";
-import { short } from "./format.js";
+import { viridisCss } from "../shared/colours.js";
+import { short } from "../shared/format.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const WIDTH = 470,

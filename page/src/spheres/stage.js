@@ -1,7 +1,7 @@
 // The 3-D view without its meaning: canvas, camera, lines and names, drawn when something changes.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { element } from "./dom.js";
+import { element } from "../shared/dom.js";
 import { besideOutline, paintName } from "./names.js";
 import { Spheres } from "./spheres.js";
 

@@ -1,5 +1,5 @@
 // What all parts of the page look at together: a range of collisions, and a snapshot.
-import { grouped } from "./format.js";
+import { grouped } from "../shared/format.js";
 
 /** A value with listeners. */
 class Shared {

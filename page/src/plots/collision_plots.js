@@ -3,9 +3,9 @@ import { timeAxis } from "./axes.js";
 import { paintLevel } from "./marks.js";
 import { pairsPlot } from "./pairs_plot.js";
 import { Plot } from "./plot.js";
-import { INK } from "./colours.js";
-import { Selection } from "./selection.js";
-import { count, DASH, grouped, pairName, short } from "./format.js";
+import { INK } from "../shared/colours.js";
+import { Selection } from "../run/selection.js";
+import { count, DASH, grouped, pairName, short } from "../shared/format.js";
 
 const FLAGS = [
   [2, "overlapping"],

@@ -1,13 +1,13 @@
 // The page of one run.
 import { anatomySection } from "./anatomy.js";
-import { collisionPlots, temperatureOverTime } from "./collision_plots.js";
-import { column } from "./data.js";
-import { button, element, section, table } from "./dom.js";
-import { DASH, grouped, short } from "./format.js";
+import { collisionPlots, temperatureOverTime } from "../plots/collision_plots.js";
+import { column } from "../shared/data.js";
+import { button, element, section, table } from "../shared/dom.js";
+import { DASH, grouped, short } from "../shared/format.js";
 import { Log, Stretch } from "./log.js";
-import { caseSection, licencesSection } from "./provenance.js";
+import { caseSection, licencesSection } from "../shared/provenance.js";
 import { Choice, Selection, wantedRange } from "./selection.js";
-import { SphereView } from "./sphere_view.js";
+import { SphereView } from "../spheres/sphere_view.js";
 import { evidence, sentence } from "./verdict.js";
 
 const AROUND = 1500; // collisions shown on each side of what a button names

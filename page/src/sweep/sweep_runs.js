@@ -1,6 +1,6 @@
 // The runs of a point of a sweep, and the case file of each.
-import { download, element, table } from "./dom.js";
-import { DASH, grouped, short } from "./format.js";
+import { download, element, table } from "../shared/dom.js";
+import { DASH, grouped, short } from "../shared/format.js";
 
 /** Pairs in a JSON text, a few of them. */
 function pairsIn(text, most = 3) {

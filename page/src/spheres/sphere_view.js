@@ -1,11 +1,11 @@
 // The spheres of the snapshots in their sheared cell, and the controls of the view.
 import { bonds, Cell, length, NEAR } from "./cell.js";
-import { BLUE, rgb, VERMILION } from "./colours.js";
-import { button, element } from "./dom.js";
-import { grouped, short } from "./format.js";
+import { BLUE, rgb, VERMILION } from "../shared/colours.js";
+import { button, element } from "../shared/dom.js";
+import { grouped, short } from "../shared/format.js";
 import { acrossThe, captionOf, groupsOf, unwrapped } from "./groups.js";
 import { Player } from "./player.js";
-import { fileStem, saveMenu } from "./save.js";
+import { fileStem, saveMenu } from "../shared/save.js";
 import { Stage } from "./stage.js";
 import { colouringsOf, tintsOf } from "./tints.js";
 
