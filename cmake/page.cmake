@@ -10,7 +10,7 @@ target_sources(zenosphere_report PRIVATE ${CMAKE_SOURCE_DIR}/src/report/page_tem
 if(ZENOSPHERE_PAGE AND ZENOSPHERE_NPM AND ZENOSPHERE_NODE)
   set(ZENOSPHERE_HAS_PAGE ON CACHE INTERNAL "")
   set(page ${page_folder}/page.html)
-  file(GLOB page_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/page/src/*)
+  file(GLOB_RECURSE page_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/page/src/*)
   add_custom_command(
     OUTPUT ${page}
     COMMAND ${ZENOSPHERE_NODE} build.mjs ${ZENOSPHERE_NPM} ${page_folder}

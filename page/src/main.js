@@ -1,7 +1,7 @@
 // Draws the page of what the program has put into it.
-import { has, json } from "./data.js";
-import { runPage } from "./run_page.js";
-import { sweepPage } from "./sweep_page.js";
+import { has, json } from "./shared/data.js";
+import { runPage } from "./run/run_page.js";
+import { sweepPage } from "./sweep/sweep_page.js";
 
 const began = performance.now();
 const root = document.getElementById("page");

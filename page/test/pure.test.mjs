@@ -1,20 +1,20 @@
 // The parts of the page that draw nothing.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
-import { linearNames, logNames, logTicks } from "../src/axes.js";
-import { bonds, Cell } from "../src/cell.js";
-import { grouped, pairName, power, short } from "../src/format.js";
-import { groupsOf, unwrapped } from "../src/groups.js";
-import { Log, Stretch } from "../src/log.js";
-import { besideOutline } from "../src/names.js";
-import { pairsPlot } from "../src/pairs_plot.js";
-import { csv, fileStem } from "../src/save.js";
-import { Selection, wantedRange } from "../src/selection.js";
-import { findingQuestions, QUESTIONS, share, wilson } from "../src/statistics.js";
-import { SvgContext } from "../src/svg_context.js";
-import { axisName, symbol } from "../src/symbols.js";
-import { caseText } from "../src/sweep_runs.js";
-import { sentence } from "../src/verdict.js";
+import { linearNames, logNames, logTicks } from "../src/plots/axes.js";
+import { bonds, Cell } from "../src/spheres/cell.js";
+import { grouped, pairName, power, short } from "../src/shared/format.js";
+import { groupsOf, unwrapped } from "../src/spheres/groups.js";
+import { Log, Stretch } from "../src/run/log.js";
+import { besideOutline } from "../src/spheres/names.js";
+import { pairsPlot } from "../src/plots/pairs_plot.js";
+import { csv, fileStem } from "../src/shared/save.js";
+import { Selection, wantedRange } from "../src/run/selection.js";
+import { findingQuestions, QUESTIONS, share, wilson } from "../src/sweep/statistics.js";
+import { SvgContext } from "../src/plots/svg_context.js";
+import { axisName, symbol } from "../src/sweep/symbols.js";
+import { caseText } from "../src/sweep/sweep_runs.js";
+import { sentence } from "../src/run/verdict.js";
 
 describe("numbers", () => {
   test("are written in few digits, with powers of ten where they are far from one", () => {

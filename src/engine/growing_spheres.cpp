@@ -77,6 +77,7 @@ typename GrowingSpheres<Dim>::Round GrowingSpheres<Dim>::advance(double rate, do
     if (meeting.kind == Meeting::Kind::margin) break;
     if (meeting.kind != Meeting::Kind::sphere) {
       bounce(i, meeting);
+      ++collisions;  // of one that is squeezed between walls there is no end
     } else if (meeting.partner_changes == changes_[static_cast<std::size_t>(meeting.partner)]) {
       collide(i, meeting);
       ++collisions;

@@ -64,9 +64,9 @@ void grow(GrowingSpheres<Dim>& spheres, double fraction) {
   constexpr double jammed_rate = 1e5;
   double loose_size = full_size;
   while (fraction * power<Dim>(loose_size) > loose) loose_size -= 0x1p-6;
-  while (spheres.size() < loose_size) spheres.advance(fast, loose_size);
   while (spheres.size() < full_size) {
-    const auto round = spheres.advance(slow, full_size);
+    const bool is_loose = spheres.size() < loose_size;
+    const auto round = spheres.advance(is_loose ? fast : slow, is_loose ? loose_size : full_size);
     if (round.collisions_per_sphere > jammed_rate * round.time) {
       throw Jammed(fraction * power<Dim>(spheres.size()));
     }

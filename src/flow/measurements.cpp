@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "flow/reliability.hpp"
+#include "flow/streaks.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
-
 namespace {
 
 /// Of the mobile spheres.
@@ -24,17 +26,20 @@ Real total_mass(const Grains<Real>& grains, std::int32_t spheres) {
 }  // namespace
 
 template <int Dim, class Real>
-Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation, double after_time)
+Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation,
+                                      AverageStart after_time, double interval)
     : shear_rate_(simulation.box().shear_rate()),
       acceleration_(simulation.surroundings().acceleration),
       falls_(!(acceleration_ == Vector{})),
       are_unlike_(!simulation.grains().are_alike() || !simulation.spins().empty()),
       mobile_of_kind_(static_cast<std::size_t>(simulation.grains().kind_count())),
       clock_unit_(simulation.box().clock_unit()),
-      after_time_(after_time),
-      after_{0, Real(after_time)},
+      is_start_found_(after_time.is_found()),
+      after_time_(is_start_found_ ? std::numeric_limits<double>::infinity() : after_time.time()),
+      after_{0, Real(after_time_)},
       initial_energy_(kinetic_energy(simulation)),
-      flight_start_(static_cast<std::size_t>(simulation.spheres()), simulation.now()) {
+      flight_start_(static_cast<std::size_t>(simulation.spheres()), simulation.now()),
+      next_look_(simulation.now()) {
   const auto& grains = simulation.grains();
   for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
     mobile_of_kind_[static_cast<std::size_t>(grains.kind(i))] += !grains.is_immobile(i);
@@ -42,13 +47,17 @@ Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation, d
   mobile_ = std::accumulate(mobile_of_kind_.begin(), mobile_of_kind_.end(), std::int64_t{0});
   if (mobile_of_kind_.size() > 1) sums_.kinetic_of_kind.resize(mobile_of_kind_.size());
   if (!simulation.spins().empty()) sums_.turning_of_kind.resize(mobile_of_kind_.size());
-  if (after_time <= 0) sums_before_ = sums_;
+  if (after_time_ <= 0) sums_before_ = sums_;
+  sums_at_end_ = sums_;
+  Observables shape = observables(sums_, sums_, Real(1), simulation);
+  if (simulation.box().is_sheared()) shape.streak_modes.resize(count_of_streak_modes<Dim>());
+  series_ = ObservableSeries(shape, interval, simulation.spheres());
 }
 
 template <int Dim, class Real>
 void Measurements<Dim, Real>::observe(const Collision<Dim, Real>& collision,
                                       const Simulation<Dim, Real>& simulation) {
-  start_averages(simulation, &collision);
+  if (elapsed(next_look_, simulation.now(), clock_unit_) >= 0) look(simulation, &collision);
   end_flight(collision.i, collision, simulation);
   if (const auto wall = simulation.wall(collision.j)) {
     add_wall_contact(collision, *wall, simulation);
@@ -71,6 +80,53 @@ void Measurements<Dim, Real>::end_flight(std::int32_t sphere, const Collision<Di
   if (!are_unlike_) return add_flight(sums_, velocity, duration, duration);
   add_unlike_flight(sums_, sphere, velocity, spin_before(sphere, &collision, simulation), duration,
                     simulation);
+}
+
+/// Does what is due now: starts the averages, ends intervals.
+///
+/// \param collision  the one just done, whose flights are not added yet; or null
+template <int Dim, class Real>
+void Measurements<Dim, Real>::look(const Simulation<Dim, Real>& simulation,
+                                   const Collision<Dim, Real>* collision) {
+  start_averages(simulation, collision);
+  if (!series_.has_interval()) choose_interval(simulation);
+  if (!series_.has_interval()) return;
+  end_intervals(series_, sums_at_end_, simulation, collision);
+  const double next = sums_before_ ? series_.next_end() : std::min(series_.next_end(), after_time_);
+  next_look_ = instant_at(next, clock_unit_, simulation.stride());
+}
+
+/// Sets the interval of the series, where it is known how often the spheres collide: so that it is
+/// some collisions of each, and its ends are exact numbers.
+template <int Dim, class Real>
+void Measurements<Dim, Real>::choose_interval(const Simulation<Dim, Real>& simulation) {
+  constexpr std::int64_t fewest = 256;
+  const std::int64_t collisions = std::max(4 * std::int64_t{simulation.spheres()}, fewest);
+  const double time = simulation.time();
+  constexpr double most = 0x1p1000;  // twice as often as there can be intervals it has to fit
+  if (simulation.collisions() < collisions || !(time > 0) || time > most) return;
+  series_.set_interval(std::exp2(std::ceil(std::log2(time))));
+}
+
+/// Appends the intervals that have ended by now.
+///
+/// \param sums_at_end  of the last one that is there; then likewise
+template <int Dim, class Real>
+void Measurements<Dim, Real>::end_intervals(ObservableSeries& series, Sums& sums_at_end,
+                                            const Simulation<Dim, Real>& simulation,
+                                            const Collision<Dim, Real>* collision) const {
+  if (!simulation.has_reached(series.next_end())) return;
+  const bool is_sheared = simulation.box().is_sheared();
+  const auto streaks = is_sheared ? streak_amplitudes(simulation) : std::vector<double>{};
+  while (simulation.has_reached(series.next_end())) {
+    Sums sums = sums_;
+    const auto end = instant_at(series.next_end(), clock_unit_, simulation.stride());
+    add_flights_until(sums, end, simulation, collision);
+    auto averages = observables(sums_at_end, sums, Real(series.interval()), simulation);
+    averages.streak_modes = streaks;  // as they are now, a moment later
+    series.add(averages, simulation.collisions() - (collision ? 1 : 0));
+    sums_at_end = sums;
+  }
 }
 
 /// Notes the sums at `after_time`, once it has been reached.
@@ -216,7 +272,7 @@ Vec<Dim, Real> Measurements<Dim, Real>::velocity_before(
 template <int Dim, class Real>
 void Measurements<Dim, Real>::kick(Simulation<Dim, Real>& simulation,
                                    const std::vector<Vector>& changes) {
-  start_averages(simulation, nullptr);
+  look(simulation, nullptr);
   sums_ = sums_now(simulation);
   std::fill(flight_start_.begin(), flight_start_.end(), simulation.now());
   const Real energy = kinetic_energy(simulation);
@@ -277,9 +333,9 @@ double Measurements<Dim, Real>::ledger_error(const Simulation<Dim, Real>& simula
 template <int Dim, class Real>
 std::optional<Averages> Measurements<Dim, Real>::averages(
     const Simulation<Dim, Real>& simulation) const {
+  if (is_start_found_) return averages_of_steady_state(simulation);
   const Real span = elapsed(after_, simulation.now(), clock_unit_);
   if (!(span > 0)) return std::nullopt;
-  const Sums sums = sums_now(simulation);
   Sums before;
   if (sums_before_) {
     before = *sums_before_;
@@ -287,43 +343,89 @@ std::optional<Averages> Measurements<Dim, Real>::averages(
     before = sums_;
     add_flights_until(before, after_, simulation, nullptr);
   }
+  Averages averages{observables(before, sums_now(simulation), span, simulation)};
+  averages.streak_modes.resize(series_.shape().streak_modes.size());
+  averages.from_time = after_time_;
+  averages.to_time = simulation.time();
+  add_reliability(averages, series(simulation), inertia(simulation));
+  return averages;
+}
+
+template <int Dim, class Real>
+ObservableSeries Measurements<Dim, Real>::series(const Simulation<Dim, Real>& simulation) const {
+  ObservableSeries series = series_;
+  Sums sums = sums_at_end_;
+  if (series.has_interval()) end_intervals(series, sums, simulation, nullptr);
+  return series;
+}
+
+/// Averages from the first interval of the steady state on, up to now.
+template <int Dim, class Real>
+std::optional<Averages> Measurements<Dim, Real>::averages_of_steady_state(
+    const Simulation<Dim, Real>& simulation) const {
+  ObservableSeries series = series_;
+  Sums sums = sums_at_end_;
+  if (series.has_interval()) end_intervals(series, sums, simulation, nullptr);
+  const Instant<Real> end = instant_at(series.end(), clock_unit_, simulation.stride());
+  const Real rest = elapsed(end, simulation.now(), clock_unit_);
+  if (series.rows() == 0 && !(rest > 0)) return std::nullopt;
+  const std::size_t first = first_steady(series);
+  Observables last = observables(sums, sums_now(simulation), rest, simulation);
+  last.streak_modes.resize(series.shape().streak_modes.size());
+  Averages averages{series.mean(first, last, static_cast<double>(rest))};
+  averages.from_time = series.end_of(first);
+  averages.to_time = simulation.time();
+  add_reliability(averages, series, inertia(simulation));
+  return averages;
+}
+
+/// Of the mobile spheres.
+template <int Dim, class Real>
+Inertia Measurements<Dim, Real>::inertia(const Simulation<Dim, Real>& simulation) const {
+  const Real mass = total_mass(simulation.grains(), simulation.spheres());
+  return {static_cast<double>(mobile_), static_cast<double>(mass) / static_cast<double>(mobile_)};
+}
+
+/// Averages over a time of which the sums at its begin and at its end are known.
+template <int Dim, class Real>
+Observables Measurements<Dim, Real>::observables(const Sums& before, const Sums& now,
+                                                 const Real& span,
+                                                 const Simulation<Dim, Real>& simulation) const {
   const auto& box = simulation.box();
   const Real spheres = static_cast<Real>(simulation.spheres());
   const Real mobile = static_cast<Real>(mobile_);
   const Real volume = box.volume();
-  const auto rate = [&](const Real& now, const Real& then) {  // per volume and time
-    return static_cast<double>((now - then) / (volume * span));
+  const auto rate = [&](const Real& later, const Real& earlier) {  // per volume and time
+    return static_cast<double>((later - earlier) / (volume * span));
   };
-  Averages averages;
+  Observables averages;
   for (std::size_t ab = 0; ab < Dim * Dim; ++ab) {
     averages.pressure_tensor.push_back(
-        rate(sums.kinetic[ab] + sums.collisional[ab], before.kinetic[ab] + before.collisional[ab]));
+        rate(now.kinetic[ab] + now.collisional[ab], before.kinetic[ab] + before.collisional[ab]));
     if (ab % (Dim + 1) != 0) continue;
     const double temperature =
-        static_cast<double>((sums.kinetic[ab] - before.kinetic[ab]) / (mobile * span));
+        static_cast<double>((now.kinetic[ab] - before.kinetic[ab]) / (mobile * span));
     averages.temperature_diagonal.push_back(temperature);
     averages.granular_temperature += temperature / Dim;
     averages.pressure += averages.pressure_tensor[ab] / Dim;
   }
-  const Real collisions = static_cast<Real>(sums.collisions - before.collisions);
+  const Real collisions = static_cast<Real>(now.collisions - before.collisions);
   averages.collision_rate = static_cast<double>(2 * collisions / (spheres * span));
-  averages.dissipation = rate(sums.dissipation, before.dissipation);
-  averages.shear_work = rate(shear_work(sums), shear_work(before));
-  averages.other_work = rate(sums.gravity_work + sums.wall_work + sums.kick_work,
+  averages.dissipation = rate(now.dissipation, before.dissipation);
+  averages.shear_work = rate(shear_work(now), shear_work(before));
+  averages.other_work = rate(now.gravity_work + now.wall_work + now.kick_work,
                              before.gravity_work + before.wall_work + before.kick_work);
   if (const auto axis = box.closed_axis()) {
     for (const std::size_t wall : {0, 1}) {
       averages.wall_pressure.push_back(static_cast<double>(box.sides()[*axis]) *
-                                       rate(sums.wall_impulse[wall], before.wall_impulse[wall]));
+                                       rate(now.wall_impulse[wall], before.wall_impulse[wall]));
     }
   }
   averages.compressibility_factor =
       averages.pressure * static_cast<double>(volume / mobile) / averages.granular_temperature;
   averages.normal_speed =
-      static_cast<double>((sums.normal_speed - before.normal_speed) / collisions);
-  add_temperatures(averages, sums, before, span);
-  averages.from_time = after_time_;
-  averages.to_time = simulation.time();
+      static_cast<double>((now.normal_speed - before.normal_speed) / collisions);
+  add_temperatures(averages, now, before, span);
   return averages;
 }
 

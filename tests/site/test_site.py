@@ -45,6 +45,12 @@ def pages(site):
     return {path: Page(path) for path in sorted(site.rglob("*.html"))}
 
 
+def test_picture_of_the_rooms_is_that_of_the_includes():
+    done = subprocess.run([CHECKOUT / "scripts" / "draw-rooms", "--check"], capture_output=True,
+                          text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
 def broken_link(pages, path, target):
     """Whether a link on a page leads to no file, or to no anchor of a page of the site."""
     place = (path.parent / unquote(target.path)).resolve() if target.path else path

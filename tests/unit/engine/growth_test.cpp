@@ -116,6 +116,16 @@ TEST(Growth, SaysWhereItJams) {
   }
 }
 
+TEST(Growth, EndsBetweenWallsThatASphereAllButTouches) {
+  // It bounces ever faster; only bounces that count as collisions end a round.
+  const ShearBox<3, double> box({{6, 1 + 1e-3, 6}}, 0, 1.5, 1);
+  const std::vector<double> diameters{1};
+  Random random(1);
+  const auto places = grown_places<3>(diameters, box, random);
+  EXPECT_GT(places[0][1], 0.5);
+  EXPECT_LT(places[0][1], 0.5 + 1e-3);
+}
+
 TEST(Growth, FollowsTheSeed) {
   const std::vector<double> diameters = bidisperse(60, 1.4);
   const auto box = box_filled_to<3>(0.55, diameters);
