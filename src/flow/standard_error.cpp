@@ -47,7 +47,8 @@ MeasuredMean measured_mean(std::span<const double> values) {
   std::vector<double> deviations(values.begin(), values.end());
   for (double& deviation : deviations) deviation -= mean;
   const double independent = length / statistical_inefficiency(deviations);
-  if (!(independent >= fewest_independent)) return {mean, unknown, independent};
+  const bool is_enough = values.size() >= fewest_values && independent >= fewest_independent;
+  if (!is_enough) return {mean, unknown, independent};
   const double variance = sum_of_products(deviations, 0) / (length - 1);
   return {mean, std::sqrt(variance / independent), independent};
 }

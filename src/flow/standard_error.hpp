@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 namespace zenosphere {
@@ -13,13 +14,15 @@ struct MeasuredMean {
 
 /// Fewest independent values whose scatter gives an error.
 inline constexpr double fewest_independent = 6;
+/// Fewest values, however independent they look.
+inline constexpr std::size_t fewest_values = 16;
 
 /// Mean and standard error of the mean of equally spaced values.
 ///
 /// tau is the integrated autocorrelation time, summed up to a lag of 4 tau; what the mean of a
 /// finite series takes off it is put back. A series whose values differ by rounding only (a
-/// conserved quantity) has the error 0. The error is NaN for a series worth fewer than
-/// `fewest_independent` values.
+/// conserved quantity) has the error 0. The error is NaN for a series of fewer than
+/// `fewest_values`, or worth fewer than `fewest_independent`.
 ///
 /// Source of the window: Madras & Sokal, J. Stat. Phys. 50 (1988) 109, app. C; of the correction:
 /// Wolff, Comput. Phys. Commun. 156 (2004) 143, eq. 49.

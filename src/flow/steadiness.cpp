@@ -15,7 +15,7 @@ namespace zenosphere {
 namespace {
 
 constexpr std::size_t fewest_intervals = 16;
-constexpr double fewest_values = 4;
+constexpr double fewest_independent_of_steady = 4;
 
 /// A number as people read it: four digits.
 std::string text_of(double number) {
@@ -49,7 +49,7 @@ void for_each_average(const ObservableSeries& series, Action action) {
 struct Worst {
   double drift = 0;  ///< trend over its error
   std::string drifting;
-  double values = fewest_values;  ///< independent ones
+  double values = fewest_independent_of_steady;
   std::string wandering;
 };
 
@@ -72,7 +72,8 @@ Worst worst_of(const ObservableSeries& series, std::size_t first, std::size_t di
     if (are_constant(values)) return;
     const MeasuredMean measured = measured_mean(values);
     const Trend order = trend(ranks(values));
-    const bool is_trend_only = !(measured.independent >= fewest_values) && order.explained > most;
+    const bool is_trend_only =
+        !(measured.independent >= fewest_independent_of_steady) && order.explained > most;
     const double errors = std::abs(order.change) / order.error;
     const double drift = is_trend_only ? std::fmax(errors, drift_in_errors + 1) : errors;
     if (drift > std::max(worst.drift, drift_in_errors)) {
@@ -103,12 +104,7 @@ std::string streak_text(const Averages& averages, double share) {
 Steadiness steadiness(const ObservableSeries& series, std::size_t first, const Averages& averages,
                       const Inertia& inertia) {
   const std::size_t intervals = series.rows() - first;
-  if (intervals < fewest_intervals) {
-    return {std::nullopt, "too short to tell: " + std::to_string(intervals) + " intervals " +
-                              span_text(averages) + ", " + std::to_string(fewest_intervals) +
-                              " are needed"};
-  }
-  const Worst worst = worst_of(series, first, averages.temperature_diagonal.size());
+  const bool is_long = intervals >= fewest_intervals;
   const double along_flow = averages.temperature_diagonal[0];
   const double share = streak_temperature(averages, inertia) / along_flow;
   const double amplitude = averages.streak_amplitude.value_or(0);
@@ -116,11 +112,18 @@ Steadiness steadiness(const ObservableSeries& series, std::size_t first, const A
       4 * along_flow / (inertia.spheres * inertia.mean_mass);  // mean square of it
   const bool has_streak =
       share > streak_share_limit && amplitude * amplitude > streak_energy_limit * thermal;
+  const Worst worst =
+      is_long ? worst_of(series, first, averages.temperature_diagonal.size()) : Worst{};
   if (!worst.drifting.empty()) {
     return {false, "not steady: " + worst.drifting + ' ' + span_text(averages) +
                        (has_streak ? "; " + streak_text(averages, share) : "")};
   }
   if (has_streak) return {false, "not steady: " + streak_text(averages, share)};
+  if (!is_long) {
+    return {std::nullopt, "too short to tell: " + std::to_string(intervals) + " intervals " +
+                              span_text(averages) + ", " + std::to_string(fewest_intervals) +
+                              " are needed"};
+  }
   if (!worst.wandering.empty()) {
     return {std::nullopt, "too short to tell: " + worst.wandering + " wanders " +
                               span_text(averages) + " as if there were " +

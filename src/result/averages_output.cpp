@@ -91,7 +91,7 @@ class AverageLines {
 
  private:
   std::string head() const {
-    const bool is_known = !std::isnan(errors_.pressure) && a_.standard_error;
+    const bool is_known = a_.standard_error && std::isfinite(errors_.collision_rate);
     return fmt::format("averages from time {:.6g} to {:.6g}, {}\n", a_.from_time, a_.to_time,
                        is_known ? "with standard errors: 1.23(4) is 1.23 +- 0.04"
                                 : "too short for standard errors");
@@ -120,7 +120,7 @@ class AverageLines {
     std::string text;
     for (std::size_t k = first; k < first + count; ++k) {
       const double error = k < errors.size() ? errors[k] : std::nan("");
-      text += fmt::format("{:<15} ", with_error((a_.*member)[k], error, digits_));
+      text += fmt::format("{:<13} ", with_error((a_.*member)[k], error, digits_));
     }
     return text.substr(0, text.find_last_not_of(' ') + 1);
   }
