@@ -1,5 +1,7 @@
 """The compiled part; `case.py`, `run.py` and `output.py` are its front and say what everything means."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -64,6 +66,7 @@ class Output:
     @staticmethod
     def open(file: str) -> Output: ...
     def collisions(self) -> NDArray[np.void]: ...
+    def series(self) -> dict[str, NDArray[Any]]: ...
     def snapshot(
         self, n: int
     ) -> tuple[

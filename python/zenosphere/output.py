@@ -91,6 +91,16 @@ class Output:
         """Whether the run has ended and the log holds all of its collisions."""
         return self._core.has_every_collision
 
+    @cached_property
+    def observables(self) -> dict[str, NDArray[Any]]:
+        """The time series of the run: averages over successive intervals of equal length.
+
+        "step" and "time" (K), the collisions and the time at the end of each interval, and each
+        observable under the name that it has in `summary["averages"]`: (K), (K, D) or (K, D, D).
+        Of no rows where the run was too short for an interval, or an older program wrote it.
+        """
+        return self._core.series()
+
     @property
     def snapshots(self) -> "Snapshots":
         """The states of the spheres that were recorded, a sequence of `State`."""

@@ -13,7 +13,7 @@
 namespace zenosphere {
 namespace {
 
-template <double Averages::*member>
+template <auto member>
 Cell average(const Summary& summary) {
   return summary.averages ? Cell((*summary.averages).*member) : Cell();
 }

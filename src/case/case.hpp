@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/arrangement.hpp"
+#include "model/average_start.hpp"
 #include "model/gap_threshold.hpp"
 #include "model/overlap_rule.hpp"
 #include "model/precision.hpp"
@@ -16,6 +17,7 @@ namespace zenosphere {
 enum class DriveKind { none, shear, random };
 enum class RestitutionLaw { constant, viscoelastic, fixed_loss };
 enum class CollisionLog { all, window, none };
+enum class SnapshotSpacing { linear, logarithmic };
 enum class Axis { x, y, z };
 enum class SizeDistribution { uniform, normal, lognormal };
 
@@ -119,10 +121,12 @@ struct Case {
     std::optional<double> time;
   } run;
   struct Measure {
-    double after_time = 0;
+    AverageStart after_time = 0.0;
+    std::optional<double> interval;  ///< of the time series; none: from the collision rate
   } measure;
   struct Output {
     std::optional<double> snapshot_interval;  ///< time; none: only the first and the last state
+    SnapshotSpacing snapshot_spacing = SnapshotSpacing::linear;
     CollisionLog collision_log = CollisionLog::all;
     std::int64_t log_first = 1;                         ///< first collision of a windowed log
     std::optional<std::int64_t> log_last;               ///< last collision of a windowed log

@@ -77,6 +77,10 @@ constexpr Condition only_spread = {
     {"polydispersity.distribution", ""},
     [](const Case& c) { return c.polydispersity.distribution.has_value(); },
     "a polydispersity.distribution"};
+constexpr Condition only_with_snapshots = {
+    {"output.snapshot_interval", ""},
+    [](const Case& c) { return c.output.snapshot_interval.has_value(); },
+    "an output.snapshot_interval"};
 constexpr Condition only_windowed = {
     {"output.collision_log", ""},
     [](const Case& c) { return c.output.collision_log == CollisionLog::window; },
@@ -210,10 +214,16 @@ constexpr std::array key_table{
     Key{"run", "time", optional, [](Case& c) -> Slot { return &c.run.time; }, at_least(0), nullptr,
         "the run ends then [time]"},
     Key{"measure", "after_time", optional, [](Case& c) -> Slot { return &c.measure.after_time; },
-        at_least(0), nullptr, "averages start then [time]"},
+        at_least(0), nullptr,
+        "averages start then [time], or where the steady state is found to begin: \"auto\""},
+    Key{"measure", "interval", optional, [](Case& c) -> Slot { return &c.measure.interval; },
+        above(0), nullptr, "between the values of the time series [time]"},
     Key{"output", "snapshot_interval", optional,
         [](Case& c) -> Slot { return &c.output.snapshot_interval; }, above(0), nullptr,
         "between snapshots [time]"},
+    Key{"output", "snapshot_spacing", optional,
+        [](Case& c) -> Slot { return &c.output.snapshot_spacing; }, any, &only_with_snapshots,
+        "how snapshots follow each other; log: ten in each decade of time"},
     Key{"output", "collision_log", optional,
         [](Case& c) -> Slot { return &c.output.collision_log; }, any, nullptr,
         "which collisions are stored"},

@@ -37,6 +37,10 @@ std::optional<std::string> text_of(const Friction& friction) {
                                           : real_text(friction.coefficient);
 }
 
+std::optional<std::string> text_of(const AverageStart& start) {
+  return start.is_found() ? in_quotes("auto") : real_text(start.time());
+}
+
 template <class Held>
 std::optional<std::string> text_of(const Held& held) {
   if constexpr (std::is_same_v<Held, Precision>) return in_quotes(held.word());

@@ -88,6 +88,19 @@ Objection store_in(GapThreshold& slot, const Value& value, const Range& range) {
   return std::nullopt;
 }
 
+/// A time, or the word for one that is looked for.
+Objection store_in(AverageStart& slot, const Value& value, const Range& range) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    if (*text != "auto") return "(must be a number >= 0 or \"auto\")";
+    slot = AverageStart::found();
+    return std::nullopt;
+  }
+  double time = 0;
+  if (auto objection = store_in(time, value, range)) return objection;
+  slot = time;
+  return std::nullopt;
+}
+
 Objection store_in(bool& slot, const Value& value, const Range&) {
   const auto* boolean = std::get_if<bool>(&value);
   if (!boolean) return wrong_kind(value, "true or false");

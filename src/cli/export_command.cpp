@@ -23,7 +23,8 @@ const std::map<std::string, ExportFormat> formats{
     {"lammps", ExportFormat::lammps},
     {"vtp", ExportFormat::vtk},
     {"csv-observables", ExportFormat::csv_observables},
-    {"csv-collisions", ExportFormat::csv_collisions}};
+    {"csv-collisions", ExportFormat::csv_collisions},
+    {"csv-series", ExportFormat::csv_series}};
 
 std::vector<std::string> names_of_formats() {
   std::vector<std::string> names;
@@ -82,7 +83,7 @@ void add_export(CLI::App& app, int& status) {
       .add_option(
           "--format", arguments->format,
           "extxyz (OVITO, ASE), lammps (OVITO, VMD, MDAnalysis, ASE), vtp (ParaView: NAME.pvd "
-          "and a folder of frames), csv-observables or csv-collisions (tables)")
+          "and a folder of frames), csv-observables, csv-collisions or csv-series (tables)")
       ->required()
       ->check(one_of("--format", names_of_formats()))
       ->type_name("FORMAT");

@@ -185,6 +185,12 @@ class Simulation {
     return frame_.moves() ? velocity + frame_.velocity(now_) : velocity;
   }
 
+  /// Where a sphere is across the flow of a sheared box: its position now, but along x relative to
+  /// its layer, and not wrapped.
+  Vector place_across_flow(std::int32_t sphere) const {
+    return spheres_.position_at(spheres_[sphere], now_.remainder);
+  }
+
   /// The state now, wrapped into the box.
   Configuration<Dim, Real> configuration() const;
 

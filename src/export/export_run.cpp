@@ -32,6 +32,7 @@ bool shows_spheres(ExportFormat format) { return format < ExportFormat::csv_obse
 /// Reads once all that will be read.
 void read_everything(const Export& request) {
   const RecordedRun run(request.run);
+  if (request.format == ExportFormat::csv_series) return void(run.series());
   if (request.format != ExportFormat::csv_collisions) {
     const auto numbers = selected_snapshots(request.selection, run.snapshots(), request.run);
     for (std::int64_t n = numbers.first; n <= numbers.last; n += numbers.step) run.snapshot(n);
@@ -104,6 +105,9 @@ class Exporter {
         break;
       case ExportFormat::csv_collisions:
         write_collisions();
+        break;
+      case ExportFormat::csv_series:
+        write_series();
         break;
     }
     return exported_;
@@ -179,6 +183,24 @@ class Exporter {
     target.finish();
   }
 
+  /// The time series of the run, as a whole: it has some thousand rows at most.
+  void write_series() {
+    const RecordedSeries series = run_.series();
+    if (series.time.empty()) {
+      throw InputError(fmt::format(
+          "{}: holds no time series (its run was too short, or an older program wrote it); "
+          "csv-observables takes what the snapshots tell",
+          request_.run.string()));
+    }
+    TextTarget target(request_.target, request_.existing);
+    target.file().write(series_header(series));
+    for (std::size_t row = 0; row < series.time.size(); ++row) {
+      target.file().write(series_row(series, row));
+      ++exported_.written;
+    }
+    target.finish();
+  }
+
   /// A file for each frame in a folder, and the collection that tells their times.
   void write_collection() {
     AtomicFile list(request_.target, request_.existing);
@@ -245,8 +267,11 @@ std::string to_text(const Exported& exported, const Export& request) {
                                                 : ": interrupted, nothing was written\n");
   }
   const bool has_rows = request.format == ExportFormat::csv_collisions;
+  const bool has_series = request.format == ExportFormat::csv_series;
   std::string text = fmt::format("{}: {} of {}\n", request.target.string(),
-                                 counted(exported.written, has_rows ? "collision" : "snapshot"),
+                                 counted(exported.written, has_series ? "interval"
+                                                           : has_rows ? "collision"
+                                                                      : "snapshot"),
                                  counted(exported.spheres, "sphere"));
   if (!exported.complete) text += "  the run has not ended: up to its last checkpoint\n";
   if (shows_spheres(request.format) && !exported.collisions_are_counted) {

@@ -10,7 +10,7 @@
 
 namespace zenosphere {
 
-enum class ExportFormat { extended_xyz, lammps, vtk, csv_observables, csv_collisions };
+enum class ExportFormat { extended_xyz, lammps, vtk, csv_observables, csv_collisions, csv_series };
 
 /// What the user asks for.
 struct Export {
@@ -25,7 +25,7 @@ struct Export {
 /// What has been written.
 struct Exported {
   bool interrupted = false;
-  std::int64_t written = 0;  ///< snapshots, or rows of the table of collisions
+  std::int64_t written = 0;  ///< snapshots, or rows of the table of collisions or of the series
   std::int64_t spheres = 0;
   bool complete = false;                ///< the run has ended
   bool collisions_are_counted = false;  ///< each frame holds the collisions of each sphere

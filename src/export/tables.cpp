@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <string_view>
 
 #include "model/spin.hpp"
 
@@ -51,6 +53,23 @@ Sums sums_of(const Frame& frame, double shear_rate) {
   return sums;
 }
 
+std::size_t numbers_in(const RecordedSeries::Column& column) {
+  std::size_t count = 1;
+  for (const std::int64_t extent : column.shape) count *= static_cast<std::size_t>(extent);
+  return count;
+}
+
+std::string component_text(const RecordedSeries::Column& column, std::size_t component) {
+  constexpr std::string_view axes = "xyz";
+  if (column.shape.empty()) return "";
+  if (column.shape.size() == 2) {
+    const auto extent = static_cast<std::size_t>(column.shape[1]);
+    return fmt::format("_{}{}", axes.at(component / extent), axes.at(component % extent));
+  }
+  if (column.name == "temperature_diagonal") return fmt::format("_{}", axes.at(component));
+  return fmt::format("_{}", component);
+}
+
 }  // namespace
 
 std::string observables_header(int dimension, bool turns) {
@@ -82,6 +101,27 @@ std::string observables_row(const Frame& frame, double shear_rate) {
     text += fmt::format(",{}", sums.turning / (sums.mobile * (frame.dimension == 3 ? 3 : 1)));
   }
   return text + fmt::format(",{}\n", std::sqrt(sums.fastest));
+}
+
+std::string series_header(const RecordedSeries& series) {
+  std::string text = "step,time";
+  for (const RecordedSeries::Column& column : series.columns) {
+    for (std::size_t k = 0; k < numbers_in(column); ++k) {
+      text += ',' + column.name + component_text(column, k);
+    }
+  }
+  return text + '\n';
+}
+
+std::string series_row(const RecordedSeries& series, std::size_t row) {
+  std::string text = fmt::format("{},{}", series.step[row], series.time[row]);
+  for (const RecordedSeries::Column& column : series.columns) {
+    const std::size_t count = numbers_in(column);
+    for (std::size_t k = 0; k < count; ++k) {
+      text += fmt::format(",{}", column.values[row * count + k]);
+    }
+  }
+  return text + '\n';
 }
 
 std::string collisions_header() { return "k,time,i,j,gap,normal_speed,flags\n"; }

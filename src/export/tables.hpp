@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "export/frame.hpp"
@@ -20,6 +21,13 @@ std::string observables_header(int dimension, bool turns);
 /// \param shear_rate  of the imposed profile, 1/time; velocities count relative to it
 /// Source of the kinetic tensor <c c>: docs/theory.md.
 std::string observables_row(const Frame& frame, double shear_rate);
+
+/// The first line of the table of a series: `pressure_tensor_xy` is a component along axes,
+/// `wall_pressure_0` one of another kind.
+std::string series_header(const RecordedSeries& series);
+
+/// One line of it: the averages over an interval, which ends at `step` and `time`.
+std::string series_row(const RecordedSeries& series, std::size_t row);
 
 /// The first line of the table of collisions: the columns of the log.
 std::string collisions_header();

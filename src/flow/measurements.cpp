@@ -2,39 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "flow/streaks.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
 
-namespace {
-
-/// Of the mobile spheres.
-template <class Real>
-Real total_mass(const Grains<Real>& grains, std::int32_t spheres) {
-  if (grains.are_alike()) return Real(spheres);
-  Real sum = 0;
-  for (std::int32_t i = 0; i < spheres; ++i) {
-    if (!grains.is_immobile(i)) sum += grains.mass(i);
-  }
-  return sum;
-}
-
-}  // namespace
-
 template <int Dim, class Real>
-Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation, double after_time)
+Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation,
+                                      AverageStart after_time, double interval)
     : shear_rate_(simulation.box().shear_rate()),
       acceleration_(simulation.surroundings().acceleration),
       falls_(!(acceleration_ == Vector{})),
       are_unlike_(!simulation.grains().are_alike() || !simulation.spins().empty()),
       mobile_of_kind_(static_cast<std::size_t>(simulation.grains().kind_count())),
       clock_unit_(simulation.box().clock_unit()),
-      after_time_(after_time),
-      after_{0, Real(after_time)},
+      is_start_found_(after_time.is_found()),
+      after_time_(is_start_found_ ? std::numeric_limits<double>::infinity() : after_time.time()),
+      after_{0, Real(after_time_)},
       initial_energy_(kinetic_energy(simulation)),
-      flight_start_(static_cast<std::size_t>(simulation.spheres()), simulation.now()) {
+      flight_start_(static_cast<std::size_t>(simulation.spheres()), simulation.now()),
+      next_look_(simulation.now()) {
   const auto& grains = simulation.grains();
   for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
     mobile_of_kind_[static_cast<std::size_t>(grains.kind(i))] += !grains.is_immobile(i);
@@ -42,13 +32,17 @@ Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation, d
   mobile_ = std::accumulate(mobile_of_kind_.begin(), mobile_of_kind_.end(), std::int64_t{0});
   if (mobile_of_kind_.size() > 1) sums_.kinetic_of_kind.resize(mobile_of_kind_.size());
   if (!simulation.spins().empty()) sums_.turning_of_kind.resize(mobile_of_kind_.size());
-  if (after_time <= 0) sums_before_ = sums_;
+  if (after_time_ <= 0) sums_before_ = sums_;
+  sums_at_end_ = sums_;
+  Observables shape = observables(sums_, sums_, Real(1), simulation);
+  if (simulation.box().is_sheared()) shape.streak_modes.resize(count_of_streak_modes<Dim>());
+  series_ = ObservableSeries(shape, interval, simulation.spheres());
 }
 
 template <int Dim, class Real>
 void Measurements<Dim, Real>::observe(const Collision<Dim, Real>& collision,
                                       const Simulation<Dim, Real>& simulation) {
-  start_averages(simulation, &collision);
+  if (elapsed(next_look_, simulation.now(), clock_unit_) >= 0) look(simulation, &collision);
   end_flight(collision.i, collision, simulation);
   if (const auto wall = simulation.wall(collision.j)) {
     add_wall_contact(collision, *wall, simulation);
@@ -71,6 +65,53 @@ void Measurements<Dim, Real>::end_flight(std::int32_t sphere, const Collision<Di
   if (!are_unlike_) return add_flight(sums_, velocity, duration, duration);
   add_unlike_flight(sums_, sphere, velocity, spin_before(sphere, &collision, simulation), duration,
                     simulation);
+}
+
+/// Does what is due now: starts the averages, ends intervals.
+///
+/// \param collision  the one just done, whose flights are not added yet; or null
+template <int Dim, class Real>
+void Measurements<Dim, Real>::look(const Simulation<Dim, Real>& simulation,
+                                   const Collision<Dim, Real>* collision) {
+  start_averages(simulation, collision);
+  if (!series_.has_interval()) choose_interval(simulation);
+  if (!series_.has_interval()) return;
+  end_intervals(series_, sums_at_end_, simulation, collision);
+  const double next = sums_before_ ? series_.next_end() : std::min(series_.next_end(), after_time_);
+  next_look_ = instant_at(next, clock_unit_, simulation.stride());
+}
+
+/// Sets the interval of the series, where it is known how often the spheres collide: so that it is
+/// some collisions of each, and its ends are exact numbers.
+template <int Dim, class Real>
+void Measurements<Dim, Real>::choose_interval(const Simulation<Dim, Real>& simulation) {
+  constexpr std::int64_t fewest = 256;
+  const std::int64_t collisions = std::max(4 * std::int64_t{simulation.spheres()}, fewest);
+  const double time = simulation.time();
+  constexpr double most = 0x1p1000;  // twice as often as there can be intervals it has to fit
+  if (simulation.collisions() < collisions || !(time > 0) || time > most) return;
+  series_.set_interval(std::exp2(std::ceil(std::log2(time))));
+}
+
+/// Appends the intervals that have ended by now.
+///
+/// \param sums_at_end  of the last one that is there; then likewise
+template <int Dim, class Real>
+void Measurements<Dim, Real>::end_intervals(ObservableSeries& series, Sums& sums_at_end,
+                                            const Simulation<Dim, Real>& simulation,
+                                            const Collision<Dim, Real>* collision) const {
+  if (!simulation.has_reached(series.next_end())) return;
+  const bool is_sheared = simulation.box().is_sheared();
+  const auto streaks = is_sheared ? streak_amplitudes(simulation) : std::vector<double>{};
+  while (simulation.has_reached(series.next_end())) {
+    Sums sums = sums_;
+    const auto end = instant_at(series.next_end(), clock_unit_, simulation.stride());
+    add_flights_until(sums, end, simulation, collision);
+    auto averages = observables(sums_at_end, sums, Real(series.interval()), simulation);
+    averages.streak_modes = streaks;  // as they are now, a moment later
+    series.add(averages, simulation.collisions() - (collision ? 1 : 0));
+    sums_at_end = sums;
+  }
 }
 
 /// Notes the sums at `after_time`, once it has been reached.
@@ -216,7 +257,7 @@ Vec<Dim, Real> Measurements<Dim, Real>::velocity_before(
 template <int Dim, class Real>
 void Measurements<Dim, Real>::kick(Simulation<Dim, Real>& simulation,
                                    const std::vector<Vector>& changes) {
-  start_averages(simulation, nullptr);
+  look(simulation, nullptr);
   sums_ = sums_now(simulation);
   std::fill(flight_start_.begin(), flight_start_.end(), simulation.now());
   const Real energy = kinetic_energy(simulation);
@@ -245,86 +286,6 @@ Real Measurements<Dim, Real>::kinetic_energy(const Simulation<Dim, Real>& simula
     }
   }
   return twice / 2;
-}
-
-template <int Dim, class Real>
-Real Measurements<Dim, Real>::shear_work(const Sums& sums) const {
-  if constexpr (Dim == 1) return 0;
-  // Momentum along x handed over along y: row y of the tensor, which rotated contacts make uneven.
-  const std::size_t yx = Dim > 1 ? Dim : 0;
-  return -shear_rate_ * (sums.kinetic[yx] + sums.collisional[yx]);
-}
-
-template <int Dim, class Real>
-double Measurements<Dim, Real>::ledger_error(const Simulation<Dim, Real>& simulation) const {
-  using std::abs;
-  const Sums sums = sums_now(simulation);
-  const Real energy = kinetic_energy(simulation);
-  const Real work = shear_work(sums) + sums.gravity_work + sums.wall_work + sums.kick_work;
-  const Real error = abs(energy - initial_energy_ - work + sums.dissipation);
-  // A ball that bounces low has little energy, but places are rounded as parts of the whole box.
-  Real potential = 0;
-  if (const auto axis = simulation.box().closed_axis()) {
-    potential = total_mass(simulation.grains(), simulation.spheres()) *
-                Real(abs(acceleration_[*axis])) * simulation.box().sides()[*axis];
-  }
-  const Real scale = std::max({potential, energy, initial_energy_, Real(abs(shear_work(sums))),
-                               Real(abs(sums.gravity_work)), Real(abs(sums.wall_work)),
-                               sums.kick_work, sums.dissipation});
-  return scale > 0 ? static_cast<double>(error / scale) : 0;
-}
-
-template <int Dim, class Real>
-std::optional<Averages> Measurements<Dim, Real>::averages(
-    const Simulation<Dim, Real>& simulation) const {
-  const Real span = elapsed(after_, simulation.now(), clock_unit_);
-  if (!(span > 0)) return std::nullopt;
-  const Sums sums = sums_now(simulation);
-  Sums before;
-  if (sums_before_) {
-    before = *sums_before_;
-  } else {  // no collision since
-    before = sums_;
-    add_flights_until(before, after_, simulation, nullptr);
-  }
-  const auto& box = simulation.box();
-  const Real spheres = static_cast<Real>(simulation.spheres());
-  const Real mobile = static_cast<Real>(mobile_);
-  const Real volume = box.volume();
-  const auto rate = [&](const Real& now, const Real& then) {  // per volume and time
-    return static_cast<double>((now - then) / (volume * span));
-  };
-  Averages averages;
-  for (std::size_t ab = 0; ab < Dim * Dim; ++ab) {
-    averages.pressure_tensor.push_back(
-        rate(sums.kinetic[ab] + sums.collisional[ab], before.kinetic[ab] + before.collisional[ab]));
-    if (ab % (Dim + 1) != 0) continue;
-    const double temperature =
-        static_cast<double>((sums.kinetic[ab] - before.kinetic[ab]) / (mobile * span));
-    averages.temperature_diagonal.push_back(temperature);
-    averages.granular_temperature += temperature / Dim;
-    averages.pressure += averages.pressure_tensor[ab] / Dim;
-  }
-  const Real collisions = static_cast<Real>(sums.collisions - before.collisions);
-  averages.collision_rate = static_cast<double>(2 * collisions / (spheres * span));
-  averages.dissipation = rate(sums.dissipation, before.dissipation);
-  averages.shear_work = rate(shear_work(sums), shear_work(before));
-  averages.other_work = rate(sums.gravity_work + sums.wall_work + sums.kick_work,
-                             before.gravity_work + before.wall_work + before.kick_work);
-  if (const auto axis = box.closed_axis()) {
-    for (const std::size_t wall : {0, 1}) {
-      averages.wall_pressure.push_back(static_cast<double>(box.sides()[*axis]) *
-                                       rate(sums.wall_impulse[wall], before.wall_impulse[wall]));
-    }
-  }
-  averages.compressibility_factor =
-      averages.pressure * static_cast<double>(volume / mobile) / averages.granular_temperature;
-  averages.normal_speed =
-      static_cast<double>((sums.normal_speed - before.normal_speed) / collisions);
-  add_temperatures(averages, sums, before, span);
-  averages.from_time = after_time_;
-  averages.to_time = simulation.time();
-  return averages;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Measurements<Dim, Real>;

@@ -6,6 +6,9 @@
 
 #include "engine/simulation.hpp"
 #include "flow/averages.hpp"
+#include "flow/observable_series.hpp"
+#include "flow/streaks.hpp"
+#include "model/average_start.hpp"
 
 namespace zenosphere {
 
@@ -23,8 +26,10 @@ class Measurements {
   using Vector = Vec<Dim, Real>;
 
   /// \param simulation  at its start; the same object is handed to every later call
-  /// \param after_time  averages start here, in the case's time unit
-  Measurements(const Simulation<Dim, Real>& simulation, double after_time);
+  /// \param after_time  when averages start, in the case's time unit
+  /// \param interval    of the series, time; 0: a power of two, some collisions of each sphere
+  Measurements(const Simulation<Dim, Real>& simulation, AverageStart after_time,
+               double interval = 0);
 
   /// Has what is kept of the spheres fetched ahead, from now on; only the speed depends on it.
   void fetch_with(Simulation<Dim, Real>& simulation) const {
@@ -41,8 +46,12 @@ class Measurements {
   /// Mobile spheres of each kind.
   const std::vector<std::int64_t>& mobile_of_kind() const { return mobile_of_kind_; }
 
-  /// Averages from `after_time` to the simulation's clock, or nothing if that span is empty.
+  /// Averages from `after_time` to the simulation's clock, or nothing if that span is empty. Their
+  /// errors come from the intervals of the series that lie in it as a whole.
   std::optional<Averages> averages(const Simulation<Dim, Real>& simulation) const;
+
+  /// Averages over the intervals that have ended by now.
+  ObservableSeries series(const Simulation<Dim, Real>& simulation) const;
 
   /// | kinetic energy change - work + dissipation |, relative to the largest of the terms; the work
   /// is that of the shear, of gravity, of moving walls and of kicks.
@@ -57,9 +66,13 @@ class Measurements {
     const Sums& sums = self.sums_;
     const std::size_t kinds = sums.kinetic_of_kind.size();
     const std::size_t turning = sums.turning_of_kind.size();
-    archive(self.initial_energy_, self.sums_, self.sums_before_, self.flight_start_);
+    archive(self.initial_energy_, self.sums_, self.sums_before_, self.flight_start_,
+            self.sums_at_end_, self.series_, self.next_look_);
     require_archived(self.flight_start_.size() == spheres, "sums of another number of spheres");
     require_archived(sums.kinetic_of_kind.size() == kinds && sums.turning_of_kind.size() == turning,
+                     "sums of other kinds of spheres");
+    require_archived(self.sums_at_end_.kinetic_of_kind.size() == kinds &&
+                         self.sums_at_end_.turning_of_kind.size() == turning,
                      "sums of other kinds of spheres");
     if (!self.sums_before_) return;
     require_archived(self.sums_before_->kinetic_of_kind.size() == kinds &&
@@ -92,8 +105,17 @@ class Measurements {
 
   // Some are inlined where GCC would call them, for each collision: to hand vectors over in memory
   // takes longer than to add them up.
+  void look(const Simulation<Dim, Real>& simulation, const Collision<Dim, Real>* collision);
   void start_averages(const Simulation<Dim, Real>& simulation,
                       const Collision<Dim, Real>* collision);
+  void end_intervals(ObservableSeries& series, Sums& sums_at_end,
+                     const Simulation<Dim, Real>& simulation,
+                     const Collision<Dim, Real>* collision) const;
+  void choose_interval(const Simulation<Dim, Real>& simulation);
+  std::optional<Averages> averages_of_steady_state(const Simulation<Dim, Real>& simulation) const;
+  Inertia inertia(const Simulation<Dim, Real>& simulation) const;
+  Observables observables(const Sums& before, const Sums& now, const Real& span,
+                          const Simulation<Dim, Real>& simulation) const;
   [[gnu::always_inline]] inline void end_flight(std::int32_t sphere,
                                                 const Collision<Dim, Real>& collision,
                                                 const Simulation<Dim, Real>& simulation);
@@ -113,7 +135,7 @@ class Measurements {
                               const Simulation<Dim, Real>& simulation) const;
   Real twice_turning_energy(std::int32_t sphere, const Spin<Dim, Real>& spin,
                             const Simulation<Dim, Real>& simulation) const;
-  void add_temperatures(Averages& averages, const Sums& sums, const Sums& before,
+  void add_temperatures(Observables& averages, const Sums& sums, const Sums& before,
                         const Real& span) const;
   void add_flights_until(Sums& sums, const Instant<Real>& end,
                          const Simulation<Dim, Real>& simulation,
@@ -132,12 +154,16 @@ class Measurements {
   std::vector<std::int64_t> mobile_of_kind_;
   std::int64_t mobile_ = 0;
   Real clock_unit_;
-  double after_time_;
+  bool is_start_found_;  ///< after the fact, in the series
+  double after_time_;    ///< infinity where it is
   Instant<Real> after_;
   Real initial_energy_;
   Sums sums_;
   std::optional<Sums> sums_before_;  ///< at `after_time`
   std::vector<Instant<Real>> flight_start_;
+  Sums sums_at_end_;  ///< of the last interval
+  ObservableSeries series_;
+  Instant<Real> next_look_;  ///< when the averages start or an interval ends, the earlier of both
 };
 
 }  // namespace zenosphere

@@ -43,7 +43,7 @@ Real Measurements<Dim, Real>::twice_turning_energy(std::int32_t sphere, const Sp
 
 /// The temperatures of the spins and of each kind, where there are such.
 template <int Dim, class Real>
-void Measurements<Dim, Real>::add_temperatures(Averages& averages, const Sums& sums,
+void Measurements<Dim, Real>::add_temperatures(Observables& averages, const Sums& sums,
                                                const Sums& before, const Real& span) const {
   const auto of_kinds = [&](const std::vector<Real>& now, const std::vector<Real>& then, int axes) {
     std::vector<double> temperatures;
@@ -65,14 +65,14 @@ void Measurements<Dim, Real>::add_temperatures(Averages& averages, const Sums& s
   if (turning.size() > 1) averages.rotational_temperature_of_kind = turning;
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                      \
-  template void Measurements<Dim, Real>::add_unlike_loss(const Collision<Dim, Real>&,          \
-                                                         const Simulation<Dim, Real>&);        \
-  template Spin<Dim, Real> Measurements<Dim, Real>::spin_before(                               \
-      std::int32_t, const Collision<Dim, Real>*, const Simulation<Dim, Real>&) const;          \
-  template Real Measurements<Dim, Real>::twice_turning_energy(                                 \
-      std::int32_t, const Spin<Dim, Real>&, const Simulation<Dim, Real>&) const;               \
-  template void Measurements<Dim, Real>::add_temperatures(Averages&, const Sums&, const Sums&, \
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                         \
+  template void Measurements<Dim, Real>::add_unlike_loss(const Collision<Dim, Real>&,             \
+                                                         const Simulation<Dim, Real>&);           \
+  template Spin<Dim, Real> Measurements<Dim, Real>::spin_before(                                  \
+      std::int32_t, const Collision<Dim, Real>*, const Simulation<Dim, Real>&) const;             \
+  template Real Measurements<Dim, Real>::twice_turning_energy(                                    \
+      std::int32_t, const Spin<Dim, Real>&, const Simulation<Dim, Real>&) const;                  \
+  template void Measurements<Dim, Real>::add_temperatures(Observables&, const Sums&, const Sums&, \
                                                           const Real&) const;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

@@ -16,6 +16,7 @@ void bind_output(py::module_& module) {
           "open", [](const std::string& file) { return std::make_unique<ReadOutput>(file); },
           py::arg("file"))
       .def("collisions", &ReadOutput::collisions)
+      .def("series", &ReadOutput::series)
       .def("snapshot", &ReadOutput::snapshot, py::arg("n"))
       .def_property_readonly("info", &ReadOutput::info)
       .def_property_readonly("resolved", &ReadOutput::resolved_case)

@@ -68,6 +68,20 @@ py::array ReadOutput::collisions() const {
   return owning_array(std::move(rows), {count});
 }
 
+py::dict ReadOutput::series() const {
+  RecordedSeries series = read_safely(file_, [](const RecordedRun& run) { return run.series(); });
+  const auto rows = static_cast<py::ssize_t>(series.time.size());
+  py::dict arrays;
+  arrays["step"] = owning_array(std::move(series.step), {rows});
+  arrays["time"] = owning_array(std::move(series.time), {rows});
+  for (RecordedSeries::Column& column : series.columns) {
+    std::vector<py::ssize_t> shape{rows};
+    shape.insert(shape.end(), column.shape.begin(), column.shape.end());
+    arrays[py::str(column.name)] = owning_array(std::move(column.values), std::move(shape));
+  }
+  return arrays;
+}
+
 py::tuple ReadOutput::snapshot(std::int64_t n) const {
   Snapshot snapshot = read_safely(file_, [n](const RecordedRun& run) { return run.snapshot(n); });
   return py::make_tuple(snapshot.step, snapshot.time,

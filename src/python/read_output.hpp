@@ -20,6 +20,8 @@ class ReadOutput {
   bool has_every_collision() const { return has_every_collision_; }
 
   pybind11::array collisions() const;  ///< all rows of the log, structured (K)
+  /// The time series: "step" (K), "time" (K) and each observable (K, ...) under its name.
+  pybind11::dict series() const;
   std::int64_t snapshots() const { return snapshots_; }
   /// Collisions done, time, positions (N, D), velocities (N, D), box edges (D, D) of snapshot `n`,
   /// from 0.

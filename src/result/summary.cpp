@@ -3,25 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 
+#include "result/averages_output.hpp"
+#include "result/summary_line.hpp"
 #include "result/summary_species.hpp"
 #include "text/counted.hpp"
 #include "text/json.hpp"
 
 namespace zenosphere {
 namespace {
-
-/// D arrays of D.
-Json matrix(const std::vector<double>& values, int dimension) {
-  assert(values.size() == static_cast<std::size_t>(dimension * dimension));
-  Json result = Json::array();
-  for (auto row = values.begin(); row != values.end(); row += dimension) {
-    result.push_back(std::vector<double>(row, row + dimension));
-  }
-  return result;
-}
 
 Json separation(const Summary::Separation& separation) {
   return {{"hits", separation.hits},
@@ -71,43 +61,6 @@ Json contact(const Summary::Contact& contact) {
           {"made_elastic", contact.made_elastic},
           {"rotated", contact.rotated}};
 }
-
-/// The keys of `averages`, each null where nothing was averaged.
-Json averages(const std::optional<Averages>& averages, int dimension) {
-  const auto a = averages.value_or(Averages{});
-  Json result = {
-      {"granular_temperature", a.granular_temperature},
-      {"temperature_diagonal", a.temperature_diagonal},
-      {"pressure", a.pressure},
-      {"pressure_tensor", averages ? matrix(a.pressure_tensor, dimension) : Json(nullptr)},
-      {"collision_rate", a.collision_rate},
-      {"dissipation", a.dissipation},
-      {"compressibility_factor", a.compressibility_factor},
-      {"from_time", a.from_time},
-      {"to_time", a.to_time},
-      {"shear_work", a.shear_work},
-      {"normal_speed", a.normal_speed},
-      {"other_work", a.other_work},
-      {"wall_pressure", a.wall_pressure}};
-  if (!averages) {
-    for (auto& value : result) value = nullptr;
-  }
-  return result;
-}
-
-/// One line of the table: the names of all lines end in the same column.
-std::string line(std::string_view name, const std::string& value) {
-  return fmt::format("  {:<24}{}\n", name, value);
-}
-
-/// A mean of independent numbers is known to about one part in the root of how many they are: as
-/// many digits as that tells, and one more.
-int digits_of_averages(std::int64_t collisions) {
-  const double decades = std::log10(static_cast<double>(std::max<std::int64_t>(collisions, 1)));
-  return std::clamp(2 + static_cast<int>(decades / 2), 2, 6);
-}
-
-std::string rounded(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
 
 /// What has ended the run, where that is no limit of its case and needs words.
 std::string end_sentence(const Summary& s) {
@@ -208,47 +161,6 @@ std::string contact_line(const Summary::Contact& contact) {
                           counted(contact.made_elastic, "collision"), contact.rotated));
 }
 
-/// Averages as lines, with so many digits.
-class AverageLines {
- public:
-  explicit AverageLines(int digits) : digits_(digits) {}
-
-  std::string of(const Averages& a, std::size_t dimension) const {
-    std::string text = fmt::format("averages from time {:.6g} to {:.6g}\n", a.from_time, a.to_time);
-    text += number("granular temperature", a.granular_temperature, " (diameter/time)^2");
-    text += line("  along each axis", row(a.temperature_diagonal, 0, dimension));
-    text += number("pressure", a.pressure, "");
-    for (std::size_t n = 0; n < dimension; ++n) {
-      text += line(n == 0 ? "  tensor" : "", row(a.pressure_tensor, n * dimension, dimension));
-    }
-    text += number("compressibility factor", a.compressibility_factor, "");
-    text += number("collision rate", a.collision_rate, " per sphere and time");
-    text += number("normal speed", a.normal_speed, " diameter/time");
-    text += number("dissipation", a.dissipation, " per volume and time");
-    text += number("shear work", a.shear_work, " per volume and time");
-    if (a.other_work != 0) text += number("other work", a.other_work, " per volume and time");
-    if (!a.wall_pressure.empty()) {
-      text += line("wall pressure", row(a.wall_pressure, 0, a.wall_pressure.size()));
-    }
-    return text;
-  }
-
- private:
-  /// "none" for what there is only where spheres have met, or move.
-  std::string number(std::string_view name, double value, std::string_view unit) const {
-    return line(name, std::isnan(value) ? "none" : rounded(value, digits_) + std::string(unit));
-  }
-  std::string row(const std::vector<double>& values, std::size_t first, std::size_t count) const {
-    std::string text;
-    for (std::size_t k = first; k < first + count; ++k) {
-      text += fmt::format("{:<14}", rounded(values[k], digits_));
-    }
-    return text.substr(0, text.find_last_not_of(' ') + 1);
-  }
-
-  int digits_;
-};
-
 std::string cost_lines(const Summary& s) {
   constexpr double mebibyte = 1024.0 * 1024.0;
   return line("energy ledger", fmt::format("closed to {:.2g} (relative)", s.ledger_error)) +
@@ -271,7 +183,7 @@ std::string to_json(const Summary& summary, int dimension) {
       {"separation", separation(summary.separation)},
       {"arrest", arrest(summary.arrest)},
       {"absorbed", summary.absorbed},
-      {"averages", averages(summary.averages, dimension)},
+      {"averages", json_of(summary.averages, dimension)},
       {"ledger_error", summary.ledger_error},
       {"wall_seconds", summary.wall_seconds},
       {"collisions_per_second", summary.collisions_per_second},
@@ -293,11 +205,7 @@ std::string to_text(const Summary& summary, int dimension, const std::string& ke
   text += verdict_sentence(summary) + "\n\n";
   text += run_lines(summary) + criteria_lines(summary);
   text += anatomy_lines(summary.anatomy) + contact_line(summary.contact) + cost_lines(summary);
-  if (summary.averages) {
-    text += '\n';
-    text += AverageLines(digits_of_averages(summary.collisions))
-                .of(*summary.averages, static_cast<std::size_t>(dimension));
-  }
+  if (summary.averages) text += '\n' + text_of(*summary.averages, summary.collisions, dimension);
   text += species_lines(summary);
   return text;
 }

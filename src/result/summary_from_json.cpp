@@ -71,7 +71,7 @@ void read_pairs(const Json& json, Summary::Arrest& arrest) {
   }
 }
 
-void require_extents(const Averages& averages, int dimension) {
+void require_extents(const Observables& averages, int dimension) {
   const auto components = static_cast<std::size_t>(dimension);
   const std::size_t walls = averages.wall_pressure.size();
   const bool fits = averages.temperature_diagonal.size() == components &&
@@ -80,26 +80,41 @@ void require_extents(const Averages& averages, int dimension) {
   if (!fits) reject(fmt::format("its averages do not have {} dimensions", dimension));
 }
 
+void read_member(const Json& json, const char* key, Shape, double& number) {
+  read(json, key, number);
+}
+void read_member(const Json& json, const char* key, Shape, std::optional<double>& number) {
+  if (json.contains(key)) read(json, key, number.emplace());
+}
+/// A row that is missing is one of no numbers; `require_extents` looks at those that must be there.
+void read_member(const Json& json, const char* key, Shape shape, std::vector<double>& numbers) {
+  if (!json.contains(key)) return;
+  if (shape == Shape::row) return read(json.at(key), numbers);
+  for (const Json& row : json.at(key)) read(row, numbers);
+}
+
+void read_observables(const Json& json, int dimension, Observables& observables) {
+  Observables::fields(observables, [&](const char* name, auto& member, Shape shape, Mean) {
+    read_member(json, name, shape, member);
+  });
+  require_extents(observables, dimension);
+}
+
 std::optional<Averages> averages(const Json& json, int dimension) {
   if (json.at("to_time").is_null()) return std::nullopt;
   Averages averages;
-  read(json, "granular_temperature", averages.granular_temperature);
-  read(json.at("temperature_diagonal"), averages.temperature_diagonal);
-  read(json, "pressure", averages.pressure);
-  for (const Json& row : json.at("pressure_tensor")) read(row, averages.pressure_tensor);
-  read(json, "collision_rate", averages.collision_rate);
-  read(json, "dissipation", averages.dissipation);
-  read(json, "compressibility_factor", averages.compressibility_factor);
+  read_observables(json, dimension, averages);
   read(json, "from_time", averages.from_time);
   read(json, "to_time", averages.to_time);
-  read(json, "shear_work", averages.shear_work);
-  read(json, "normal_speed", averages.normal_speed);
-  read(json, "other_work", averages.other_work);
-  read(json.at("wall_pressure"), averages.wall_pressure);
-  if (json.contains("rotational_temperature")) {
-    read(json, "rotational_temperature", averages.rotational_temperature);
-  }
-  require_extents(averages, dimension);
+  if (!json.contains("standard_error")) return averages;  // of a version that had none
+  read(json, "blocks", averages.blocks);
+  read(json, "steady", averages.steady);
+  read(json, "steady_reason", averages.steady_reason);
+  read(json, "streak_amplitude", averages.streak_amplitude);
+  read(json, "temperature_without_streak", averages.temperature_without_streak);
+  const Json& errors = json.at("standard_error");
+  if (errors.at("pressure_tensor").is_null()) return averages;
+  read_observables(errors, dimension, averages.standard_error.emplace());
   return averages;
 }
 

@@ -7,10 +7,6 @@
 namespace zenosphere {
 
 void add_species(const Summary& summary, Json& json) {
-  const auto& averages = summary.averages;
-  if (averages && averages->rotational_temperature) {
-    json["averages"]["rotational_temperature"] = *averages->rotational_temperature;
-  }
   for (const Summary::Kind& kind : summary.species) {
     Json row = {{"name", kind.name}, {"spheres", kind.spheres}};
     row["granular_temperature"] = or_null(kind.granular_temperature);

@@ -7,8 +7,7 @@
 
 namespace zenosphere {
 
-/// Adds `species` and `averages.rotational_temperature` to the JSON of a summary, where it has
-/// them.
+/// Adds `species` to the JSON of a summary, where it has them.
 void add_species(const Summary& summary, Json& json);
 
 /// The line or two of each species for people; nothing where there are none.

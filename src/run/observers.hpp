@@ -30,7 +30,7 @@ class Observers {
         collapse_time_(simulation.box().clock_unit()),
         dissector_(values.collapse.gap_threshold.template in<Real>(), simulation.spheres(),
                    simulation.box().clock_unit(), constant_restitution(values)),
-        measurements_(simulation, values.measure.after_time),
+        measurements_(simulation, values.measure.after_time, values.measure.interval.value_or(0)),
         self_check_(simulation) {}
 
   /// To be called once after each collision, in order.
@@ -62,6 +62,7 @@ class Observers {
   std::int64_t hits() const { return separation_.hits(); }
   const Anatomy& anatomy() const { return dissector_.anatomy(); }
   Measurements<Dim, Real>& measurements() { return measurements_; }
+  const Measurements<Dim, Real>& measurements() const { return measurements_; }
 
   /// What has been seen so far; the rest of the summary is left as it is, the verdict too.
   void add_to(Summary& summary, const Simulation<Dim, Real>& simulation) const {

@@ -1,6 +1,7 @@
 #include "run/recorder.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -40,7 +41,7 @@ Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& s
   archive_members(*this, archive);
   schedule_snapshot();
   if (!output_.snapshot_interval) return;
-  require_archived(!simulation.has_reached(next_snapshot_ + *output_.snapshot_interval),
+  require_archived(!simulation.has_reached(time_of(snapshots_ + 1)),
                    "snapshots that were not taken");
 }
 
@@ -76,20 +77,30 @@ void Recorder<Dim, Real>::take_snapshot(const Simulation<Dim, Real>& simulation)
 
 template <int Dim, class Real>
 void Recorder<Dim, Real>::schedule_next() {
-  snapshots_ += clock_is_limited_ ? 1 : intervals_to_next(snapshots_);
+  const bool is_bounded =
+      clock_is_limited_ || output_.snapshot_spacing == SnapshotSpacing::logarithmic;
+  snapshots_ += is_bounded ? 1 : intervals_to_next(snapshots_);
   schedule_snapshot();
 }
 
-/// Multiples of the interval, so that the times do not drift by rounding.
 template <int Dim, class Real>
 void Recorder<Dim, Real>::schedule_snapshot() {
+  next_snapshot_ = time_of(snapshots_);
+}
+
+/// Time of regular snapshot `n`, from 0: multiples of the interval, so that the times do not drift
+/// by rounding; or, spaced logarithmically, the interval times a power of 10^(1/10).
+template <int Dim, class Real>
+double Recorder<Dim, Real>::time_of(std::int64_t n) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
   constexpr auto most = static_cast<double>(std::int64_t{1} << 53);  // multiples are exact up to it
-  const auto multiple = static_cast<double>(snapshots_);
-  if (!output_.snapshot_interval || multiple >= most) {
-    next_snapshot_ = std::numeric_limits<double>::infinity();
-  } else {
-    next_snapshot_ = multiple * *output_.snapshot_interval;
+  const auto multiple = static_cast<double>(n);
+  if (!output_.snapshot_interval || multiple >= most) return never;
+  if (output_.snapshot_spacing == SnapshotSpacing::linear || n == 0) {
+    return multiple * *output_.snapshot_interval;
   }
+  constexpr double in_a_decade = 10;
+  return *output_.snapshot_interval * std::pow(10, (multiple - 1) / in_a_decade);
 }
 
 template <int Dim, class Real>

@@ -49,6 +49,7 @@ class Recorder {
   void append(const CollisionRow& row);
   void schedule_snapshot();
   void schedule_next();
+  double time_of(std::int64_t n) const;
 
   const Case::Output output_;
   bool clock_is_limited_;  ///< by run.time

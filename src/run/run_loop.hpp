@@ -13,6 +13,7 @@
 #include "run/log_rows.hpp"
 #include "run/observers.hpp"
 #include "run/random_driving.hpp"
+#include "run/recorded_series.hpp"
 #include "run/recorder.hpp"
 #include "run/setup.hpp"
 #include "run/snapshot_of.hpp"
@@ -103,7 +104,7 @@ class Run final : public SteppedRun {
     }
     Summary result = summary_at(simulation_);
     if (recorder_) recorder_->finish(simulation_);
-    if (file_) file_->finish(result, observers_.anatomy());
+    if (file_) file_->finish(result, observers_.anatomy(), series_now());
     return result;
   }
 
@@ -225,7 +226,12 @@ class Run final : public SteppedRun {
             .clock_remainder = static_cast<double>(simulation_.now().remainder),
             .wall_seconds = wall_seconds(),
             .summary = to_json(summary_at(simulation_), Dim),
+            .series = series_now(),
             .state = archive.release()};
+  }
+
+  RecordedSeries series_now() const {
+    return recorded(observers_.measurements().series(simulation_), Dim);
   }
 
   /// Wall time of the whole run, with what it took before it was interrupted [s].

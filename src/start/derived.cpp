@@ -92,7 +92,8 @@ void add_shear(const Case& values, double side, Lines& lines) {
   lines.add("time of one strain unit", 1 / rate, "time");
   lines.add("speed across the box", rate * side, "diameters/time");
   if (values.run.time) lines.add("strain at run.time", rate * *values.run.time);
-  lines.add("strain at measure.after_time", rate * values.measure.after_time);
+  if (values.measure.after_time.is_found()) return;
+  lines.add("strain at measure.after_time", rate * values.measure.after_time.time());
 }
 
 void add_kicks(const Case& values, Lines& lines) {
@@ -175,7 +176,10 @@ void add_output(const Case& values, Lines& lines) {
   const double components = spheres * values.system.dimension;
   lines.add("one snapshot", components * bytes_per_component_and_snapshot / mebibyte, "MiB");
   if (values.run.time && values.output.snapshot_interval) {
-    const double between = std::floor(*values.run.time / *values.output.snapshot_interval);
+    const double intervals = *values.run.time / *values.output.snapshot_interval;
+    const bool is_even = values.output.snapshot_spacing == SnapshotSpacing::linear;
+    const double between =
+        std::floor(is_even ? intervals : std::fmax(0, 1 + 10 * std::log10(intervals)));
     lines.add("snapshots", 2 + between, "at most");
   }
   const double logged = most_logged(values);

@@ -11,6 +11,7 @@
 #include "storage/hdf5.hpp"
 #include "storage/hdf5_series.hpp"
 #include "storage/integrity.hpp"
+#include "storage/series_group.hpp"
 
 namespace zenosphere {
 namespace {
@@ -263,10 +264,13 @@ void OutputDatasets::store(const Checkpoint& checkpoint) {
   hdf5::write_attribute(group, "program_version", build_info::program_version);
   hdf5::write_attribute(group, "git_hash", build_info::git_hash);
   hdf5::write_text(group, "summary", checkpoint.summary);
+  write_series(contents_->file, checkpoint.series);
   state_series(group, checkpoint.state.size()).replace(checkpoint.state);
 }
 
-void OutputDatasets::finish(const Summary& summary, const Anatomy& anatomy) {
+void OutputDatasets::finish(const Summary& summary, const Anatomy& anatomy,
+                            const RecordedSeries& series) {
+  write_series(contents_->file, series);
   contents_->log.mark(contents_->log.length() == summary.collisions);
   const int dimension = contents_->trajectory.dimension();
   write_anatomy(contents_->own, anatomy, dimension);

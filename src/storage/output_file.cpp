@@ -253,12 +253,13 @@ void OutputFile::end(Checkpoint checkpoint) {
   keep_in_mind(std::move(checkpoint));
 }
 
-void OutputFile::finish(const Summary& summary, const Anatomy& anatomy) {
+void OutputFile::finish(const Summary& summary, const Anatomy& anatomy,
+                        const RecordedSeries& series) {
   guarded([&] {
     flush_rows();
     if (!part_) ending_ = fold();
     part_->store(ending_);
-    part_->finish(summary, anatomy);
+    part_->finish(summary, anatomy, series);
     close_part();
     seal(part_path_);
     publish();

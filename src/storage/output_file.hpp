@@ -74,7 +74,9 @@ class OutputFile {
   /// left.
   ///
   /// \param anatomy  what was found in a collapse, if there was one
-  void finish(const Summary& summary, const Anatomy& anatomy = {});
+  /// \param series   averages over the intervals of the whole run
+  void finish(const Summary& summary, const Anatomy& anatomy = {},
+              const RecordedSeries& series = {});
 
   /// Throws where the files of this output are no longer under their names: what is written then is
   /// lost to everybody.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "model/errors.hpp"
 
@@ -50,8 +51,9 @@ void RecordedRun::add_journal() {
   journal_file_ = FileDescriptor(journal_beside(path_), O_RDONLY);
   const Basis& basis = file_.info().basis;
   if (JournalReader(journal_file_).basis() != basis) return;
-  const JournalContents contents = contents_of(journal_file_, Thoroughness::checkpoints);
+  JournalContents contents = contents_of(journal_file_, Thoroughness::checkpoints);
   if (!contents.checkpoint) return;
+  newer_series_ = std::move(contents.checkpoint->series);
   const bool is_there = basis.snapshots <= stored_snapshots_ && basis.log_rows <= stored_rows_ &&
                         basis.snapshots >= 0 && basis.log_rows >= 0;
   require_archived(is_there, "it goes on from more than there is");

@@ -28,6 +28,10 @@ class RecordedRun {
   /// Snapshot `n`, from 0. Throws InputError where it cannot be read.
   Snapshot snapshot(std::int64_t n) const;
 
+  /// The time series up to the end of the run, or to its last checkpoint. Throws InputError where
+  /// it cannot be read.
+  RecordedSeries series() const { return newer_series_ ? *newer_series_ : file_.series(); }
+
   /// The collision log comes in pieces of at most 65536 rows; how many there are.
   std::int64_t log_pieces() const;
   /// Piece `n` of the log, from 0. Throws InputError where it cannot be read.
@@ -45,8 +49,9 @@ class RecordedRun {
 
   std::filesystem::path path_;
   RunFile file_;
-  std::int64_t stored_snapshots_ = 0;  ///< that count, of those in the output file
-  std::int64_t stored_rows_ = 0;       ///< likewise
+  std::int64_t stored_snapshots_ = 0;           ///< that count, of those in the output file
+  std::int64_t stored_rows_ = 0;                ///< likewise
+  std::optional<RecordedSeries> newer_series_;  ///< of the journal
   FileDescriptor journal_file_;
   std::optional<JournalReader> journal_;
   std::vector<JournalRecord> snapshots_;  ///< of the journal

@@ -86,6 +86,38 @@ struct CollisionRows {
   }
 };
 
+/// The time series of a run: averages over successive intervals of equal length, from time 0 on.
+struct RecordedSeries {
+  struct Column {
+    std::string name;
+    std::vector<std::int64_t> shape{};  ///< of a row; empty: a number
+    std::vector<double> values{};       ///< row after row
+
+    template <class Self, class Archive>
+    static void archive_state(Self& self, Archive& archive) {
+      archive(self.name, self.shape, self.values);
+    }
+  };
+  std::vector<std::int64_t> step{};  ///< collisions at the end of each interval
+  std::vector<double> time{};        ///< of its end
+  std::vector<Column> columns{};
+
+  /// \throws ArchiveError where columns differ in length
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.step, self.time, self.columns);
+    for (const Column& column : self.columns) {
+      std::size_t numbers = self.time.size();
+      for (const std::int64_t extent : column.shape) {
+        require_archived(extent > 0 && extent < 1 << 20, "a row of no such size");
+        numbers *= static_cast<std::size_t>(extent);
+      }
+      require_archived(column.values.size() == numbers && self.step.size() == self.time.size(),
+                       "columns of different lengths");
+    }
+  }
+};
+
 /// How far a run has come, and everything that is needed to go on from there.
 struct Checkpoint {
   std::int64_t collisions = 0;
@@ -96,12 +128,13 @@ struct Checkpoint {
   std::int64_t snapshots = 0;  ///< likewise
   double wall_seconds = 0;     ///< that the run has taken so far
   std::string summary{};       ///< JSON, of the run so far
+  RecordedSeries series{};     ///< likewise
   Bytes state{};               ///< of the run and all that observes it; begins with its version
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.collisions, self.time, self.clock_units, self.clock_remainder, self.log_rows,
-            self.snapshots, self.wall_seconds, self.summary, self.state);
+            self.snapshots, self.wall_seconds, self.summary, self.series, self.state);
   }
 };
 

@@ -9,6 +9,7 @@
 #include "model/errors.hpp"
 #include "storage/anatomy_group.hpp"
 #include "storage/hdf5_series.hpp"
+#include "storage/series_group.hpp"
 
 namespace zenosphere {
 namespace {
@@ -173,6 +174,10 @@ std::vector<CollisionRow> RunFile::rows(std::int64_t first, std::int64_t count) 
     }
     return rows;
   });
+}
+
+RecordedSeries RunFile::series() const {
+  return reading(path_, [&] { return read_series(file_); });
 }
 
 Anatomy RunFile::anatomy() const {

@@ -32,6 +32,9 @@ class RunFile {
   /// Rows `first` to `first + count - 1` of the log, from 0, likewise.
   std::vector<CollisionRow> rows(std::int64_t first, std::int64_t count) const;
 
+  /// The time series of the run; likewise.
+  RecordedSeries series() const;
+
   /// What was found at the first hit and at the arrest, as far as it is in the file; likewise.
   Anatomy anatomy() const;
 

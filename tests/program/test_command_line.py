@@ -99,9 +99,9 @@ def test_word_that_is_not_understood_is_repeated(program, words):
     ("adjudicate case.toml --collisions 1e6",
      "--collisions = 1e6 (must be a whole number in [1, 9007199254740992])"),
     ("export out.h5 --format xyz -o x", "--format = xyz (must be csv-collisions, csv-observables, "
-     "extxyz, lammps or vtp)"),
+     "csv-series, extxyz, lammps or vtp)"),
     ("export out.h5 --format extxy -o x", "--format = extxy (must be csv-collisions, "
-     "csv-observables, extxyz, lammps or vtp); did you mean extxyz?"),
+     "csv-observables, csv-series, extxyz, lammps or vtp); did you mean extxyz?"),
     ("export out.h5 --format vtp -o x --every 0",
      "--every = 0 (must be a whole number in [1, 9007199254740992])"),
     ("export out.h5 --format vtp -o x --from 1.5",

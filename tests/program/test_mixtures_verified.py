@@ -130,8 +130,9 @@ def test_log_tells_which_contacts_slide(program):
 
 def test_temperatures_of_spins_and_kinds_are_told(program):
     program.case.write_text(SYSTEMS["rough"])
-    averages = program.run()["averages"]
-    large, small = averages["species"]
+    summary = program.run()
+    averages = summary["averages"]
+    large, small = summary["species"]
     assert [large["name"], small["name"]] == ["large", "small"]
     assert large["spheres"] == small["spheres"] == 60
     mean = (large["granular_temperature"] + small["granular_temperature"]) / 2

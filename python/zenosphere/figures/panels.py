@@ -131,8 +131,9 @@ def _collision_rate(axes, run, shear_rate):
     unit, scale = ("strain", shear_rate) if shear_rate else ("time", 1)
     begin, end = (words.short(averages[key] * scale, 3) for key in ("from_time", "to_time"))
     rate = words.short(averages["collision_rate"] / scale, 4)
+    state = ", not steady" if averages.get("steady") is False else ""
     axes.text(0.97, 0.07, f"{rate} collisions per sphere per unit {unit}\n"
-                          f"({unit} {begin} to {end})",
+                          f"({unit} {begin} to {end}{state})",
               ha="right", fontsize=points(8), linespacing=1.1, transform=axes.transAxes)
 
 

@@ -85,13 +85,22 @@ def _flow_facts(run):
     summary, averages = run.summary, run.summary.get("averages") or {}
     yield "collisions", words.grouped(summary.get("collisions", 0))
     yield "time", words.short(summary.get("time"), digits=6)
-    yield "collision rate omega (per sphere per time)", words.short(averages.get("collision_rate"))
-    yield "granular temperature T", words.short(averages.get("granular_temperature"))
+    for text, name in (("collision rate omega (per sphere per time)", "collision_rate"),
+                       ("granular temperature T", "granular_temperature")):
+        yield text, _with_error(averages, name)
     yield "averages from and to time", (f"{words.short(averages.get('from_time'))} to"
                                         f" {words.short(averages.get('to_time'))}"
                                         if averages.get("to_time") is not None
                                         else words.short(None))
+    yield "steady state", averages.get("steady_reason") or words.short(None)
     yield "ledger error (relative)", words.short(summary.get("ledger_error"), digits=2)
+
+
+def _with_error(averages, name):
+    """`1.139 +- 0.002`, or the average alone where its error is not known."""
+    error = (averages.get("standard_error") or {}).get(name)
+    text = words.short(averages.get(name))
+    return f"{text} +- {words.short(error, 2)}" if error else text
 
 
 def _moment(run, collision, time):

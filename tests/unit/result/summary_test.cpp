@@ -69,11 +69,13 @@ TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
   EXPECT_EQ(keys(json["arrest"]),
             (std::vector<std::string>{"met", "collision", "time", "window", "pairs",
                                       "extrapolated_time", "flight_ratio", "others_moving"}));
-  EXPECT_EQ(keys(json["averages"]),
-            (std::vector<std::string>{
-                "granular_temperature", "temperature_diagonal", "pressure", "pressure_tensor",
-                "collision_rate", "dissipation", "compressibility_factor", "from_time", "to_time",
-                "shear_work", "normal_speed", "other_work", "wall_pressure"}));
+  EXPECT_EQ(
+      keys(json["averages"]),
+      (std::vector<std::string>{
+          "granular_temperature", "temperature_diagonal", "pressure", "pressure_tensor",
+          "collision_rate", "dissipation", "compressibility_factor", "shear_work", "normal_speed",
+          "other_work", "wall_pressure", "from_time", "to_time", "blocks", "steady",
+          "steady_reason", "streak_amplitude", "temperature_without_streak", "standard_error"}));
 }
 
 TEST(Summary, JsonIsOneLine) {
@@ -113,8 +115,11 @@ TEST(Summary, JsonHasTensorsAsArraysOfRows) {
 
 TEST(Summary, JsonHasAveragesOfNullsWhereNothingWasAveraged) {
   const auto averages = Json::parse(to_json(collapsed_summary(), 2))["averages"];
-  ASSERT_EQ(averages.size(), 13u);
-  for (const auto& value : averages) EXPECT_TRUE(value.is_null());
+  ASSERT_EQ(averages.size(), 19u);
+  for (const auto& [key, value] : averages.items()) {
+    EXPECT_EQ(value.is_null(), key != "standard_error") << key;
+  }
+  for (const auto& value : averages["standard_error"]) EXPECT_TRUE(value.is_null());
 }
 
 TEST(Summary, JsonHasNullForANumberThatIsNotFinite) {
@@ -145,10 +150,38 @@ TEST(Summary, IsReadBackFromItsJson) {
   const std::string without = to_json(summary, 2);
   EXPECT_EQ(to_json(summary_from_json(without, 2), 2), without);
   summary.averages = planar_averages();
+  EXPECT_EQ(to_json(summary_from_json(to_json(summary, 2), 2), 2), to_json(summary, 2));
+  summary.averages->blocks = 20;
+  summary.averages->standard_error = planar_averages();
+  summary.averages->standard_error->normal_speed = std::nan("");
   const std::string with = to_json(summary, 2);
   EXPECT_EQ(to_json(summary_from_json(with, 2), 2), with);
   EXPECT_THROW(summary_from_json("{}", 2), InputError);
   EXPECT_THROW(summary_from_json("[1, 2", 2), InputError);
+}
+
+TEST(Summary, ErrorsHaveTheKeysAndShapesOfTheAverages) {
+  auto summary = collapsed_summary();
+  summary.averages = planar_averages();
+  summary.averages->standard_error = planar_averages();
+  summary.averages->standard_error->pressure = std::nan("");
+  const auto averages = Json::parse(to_json(summary, 2))["averages"];
+  for (const auto& [key, error] : averages["standard_error"].items()) {
+    EXPECT_EQ(error.is_array(), averages[key].is_array()) << key;
+    const std::size_t size = error.is_array() ? averages[key].size() : error.size();
+    EXPECT_EQ(error.size(), size) << key;
+  }
+  EXPECT_EQ(averages["standard_error"]["pressure_tensor"].dump(), "[[1.0,2.0],[3.0,4.0]]");
+  EXPECT_TRUE(averages["standard_error"]["pressure"].is_null());
+}
+
+TEST(Summary, TextGivesAnAverageWithItsError) {
+  auto summary = collapsed_summary();
+  summary.averages = planar_averages();
+  summary.averages->standard_error = planar_averages();
+  summary.averages->standard_error->granular_temperature = 0.003;
+  EXPECT_NE(to_text(summary, 2, "").find("granular temperature    0.100(3) (diameter"),
+            std::string::npos);
 }
 
 TEST(Summary, TextGivesAveragesThatFewCollisionsSupportInFewDigits) {

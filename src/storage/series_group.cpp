@@ -1,0 +1,115 @@
+#include "storage/series_group.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "flow/averages.hpp"
+#include "storage/hdf5_series.hpp"
+
+namespace zenosphere {
+namespace {
+
+using hdf5::Handle;
+using hdf5::Series;
+using hdf5::Type;
+
+constexpr std::int64_t rows_per_chunk = 64;
+
+Handle group_at(const Handle& parent, const std::string& name) {
+  return hdf5::contains(parent, name) ? hdf5::opened(parent, name)
+                                      : hdf5::created_group(parent, name);
+}
+
+template <class T>
+void put(const Handle& group, const std::string& name, const std::vector<std::int64_t>& row_shape,
+         const std::vector<T>& values) {
+  const Type type = hdf5::type_of<T>;
+  if (hdf5::contains(group, name)) {
+    Series(group, name, type).replace(values);
+  } else {
+    Series(group, name, type, row_shape, rows_per_chunk).append(values);
+  }
+}
+
+std::int64_t numbers_in(const RecordedSeries::Column& column) {
+  std::int64_t count = 1;
+  for (const std::int64_t extent : column.shape) count *= extent;
+  return count;
+}
+
+/// An element as H5MD has them: values with the step and the time of each.
+///
+/// \param folder  the group in `parent` that the element is in
+/// \param clock   where these are in `parent`
+void put_element(const Handle& parent, const std::string& folder, const std::string& clock,
+                 const RecordedSeries::Column& column, const std::vector<double>& values) {
+  const Handle element = group_at(hdf5::opened(parent, folder), column.name);
+  put(element, "value", column.shape, values);
+  for (const std::string name : {"step", "time"}) {
+    if (hdf5::contains(element, name)) continue;
+    hdf5::link(parent, clock + '/' + name, folder + '/' + column.name + '/' + name);
+  }
+}
+
+/// For each snapshot the row of the interval in which it lies.
+std::vector<std::size_t> rows_at(const std::vector<double>& times, const RecordedSeries& series) {
+  std::vector<std::size_t> rows;
+  for (const double time : times) {
+    const auto end = std::upper_bound(series.time.begin(), series.time.end(), time);
+    const auto row = static_cast<std::size_t>(end - series.time.begin());
+    rows.push_back(std::min(row, series.time.size() - 1));
+  }
+  return rows;
+}
+
+void write_observables(const Handle& file, const RecordedSeries& series) {
+  const auto times = hdf5::values<double>(file, "particles/spheres/position/time");
+  const auto rows = rows_at(times, series);
+  group_at(file, "observables");
+  for (const RecordedSeries::Column& column : series.columns) {
+    const auto count = static_cast<std::ptrdiff_t>(numbers_in(column));
+    std::vector<double> values;
+    for (const std::size_t row : rows) {
+      const auto begin = column.values.begin() + static_cast<std::ptrdiff_t>(row) * count;
+      values.insert(values.end(), begin, begin + count);
+    }
+    put_element(file, "observables", "particles/spheres/position", column, values);
+  }
+}
+
+}  // namespace
+
+void write_series(const Handle& file, const RecordedSeries& series) {
+  if (series.time.empty()) return;
+  const Handle own = hdf5::opened(file, "zenosphere");
+  const Handle group = group_at(own, "series");
+  put(group, "step", {}, series.step);
+  put(group, "time", {}, series.time);
+  for (const RecordedSeries::Column& column : series.columns) {
+    put_element(own, "series", "series", column, column.values);
+  }
+  write_observables(file, series);
+}
+
+RecordedSeries read_series(const Handle& file) {
+  RecordedSeries series;
+  const Handle own = hdf5::opened(file, "zenosphere");
+  if (!hdf5::contains(own, "series")) return series;
+  const Handle group = hdf5::opened(own, "series");
+  series.step = hdf5::values<std::int64_t>(group, "step");
+  series.time = hdf5::values<double>(group, "time");
+  const auto rows = static_cast<std::int64_t>(series.time.size());
+  if (series.step.size() != series.time.size()) throw hdf5::Error("a series without its times");
+  const Observables all;
+  Observables::fields(all, [&](const std::string& name, const auto&, Shape, Mean) {
+    if (!hdf5::contains(group, name)) return;
+    const std::string path = name + "/value";
+    auto shape = hdf5::shape(group, path);
+    if (shape.empty() || shape.front() != rows) throw hdf5::Error(path + " has another length");
+    shape.erase(shape.begin());
+    series.columns.push_back({name, std::move(shape), hdf5::values<double>(group, path)});
+  });
+  return series;
+}
+
+}  // namespace zenosphere
