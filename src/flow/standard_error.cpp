@@ -43,12 +43,12 @@ MeasuredMean measured_mean(std::span<const double> values) {
   const auto length = static_cast<double>(values.size());
   double mean = 0;
   for (const double value : values) mean += value / length;
+  if (values.size() < fewest_values) return {mean, unknown, unknown};
   if (are_constant(values)) return {mean, 0, length};
   std::vector<double> deviations(values.begin(), values.end());
   for (double& deviation : deviations) deviation -= mean;
   const double independent = length / statistical_inefficiency(deviations);
-  const bool is_enough = values.size() >= fewest_values && independent >= fewest_independent;
-  if (!is_enough) return {mean, unknown, independent};
+  if (!(independent >= fewest_independent)) return {mean, unknown, independent};
   const double variance = sum_of_products(deviations, 0) / (length - 1);
   return {mean, std::sqrt(variance / independent), independent};
 }

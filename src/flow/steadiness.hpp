@@ -20,7 +20,7 @@ inline constexpr double drift_in_errors = 5;
 /// Streaks that carry more than this share of T_xx, the strongest with more than so many times the
 /// thermal energy of a mode, are more than the fluctuations of a sheared gas: a state of its own,
 /// which depends on the size of the box. Measured: docs/measurements.md.
-inline constexpr double streak_share_limit = 0.05;
+inline constexpr double streak_share_limit = 0.025;
 inline constexpr double streak_energy_limit = 30;
 
 /// Whether averages are those of a steady state.

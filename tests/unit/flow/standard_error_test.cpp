@@ -66,6 +66,7 @@ TEST(StandardError, IsUnknownOfAShortSeries) {
   EXPECT_TRUE(std::isnan(measured_mean(autoregressive(0, 15, random)).standard_error));
   EXPECT_TRUE(std::isnan(measured_mean(autoregressive(0.99, 200, random)).standard_error));
   EXPECT_TRUE(std::isnan(measured_mean({}).mean));
+  EXPECT_TRUE(std::isnan(measured_mean(std::vector<double>{1}).standard_error));
 }
 
 TEST(StandardError, IsNoneOfANumberThatIsConserved) {
