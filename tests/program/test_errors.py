@@ -87,8 +87,8 @@ def test_wrong_case_leaves_no_output_file(program):
 
 def test_random_start_that_cannot_be_placed_is_refused(program):
     line = blame(program, "run", "case.toml", "--set", "start.arrangement=random", "--set",
-                 "system.solids_volume_fraction=0.6")
-    assert "solids_volume_fraction" in line and "0.6" in line
+                 "system.solids_volume_fraction=0.7")
+    assert "solids_volume_fraction" in line and "0.7" in line
 
 
 @pytest.mark.parametrize("command", ["run", "check", "info"])
