@@ -84,8 +84,9 @@ int compared(const RandomSystem& system) {
   const auto sides = system.box_sides();
   support::Gas gas(support::Box(sides, system.shear_rate), system.start(),
                    {.restitution = *system.restitution, .overlap = OverlapRule::rewind});
-  Oracle oracle(sides, system.shear_rate, *system.restitution, system.start(), 0);
-  Oracle twin(sides, system.shear_rate, *system.restitution, system.start(1e-12), 0);
+  const ContactRules<double> rules{.restitution = *system.restitution};
+  Oracle oracle(sides, system.shear_rate, rules, system.start(), 0);
+  Oracle twin(sides, system.shear_rate, rules, system.start(1e-12), 0);
   for (int n = 0; n < 300; ++n) {
     const auto event = next_of(oracle), other = next_of(twin);
     if (!event || !other || event->i != other->i || event->j != other->j) return n;

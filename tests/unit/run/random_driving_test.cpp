@@ -41,7 +41,8 @@ Vec<Dim, double> momentum(const Simulation<Dim, double>& gas) {
 }
 
 TEST(RandomDriving, IsNeverDueWithoutKicks) {
-  RandomDriving<3, double> driving(Case{});
+  const Case values;
+  RandomDriving<3, double> driving(values);
   EXPECT_EQ(driving.next_kick(), std::numeric_limits<double>::infinity());
 }
 

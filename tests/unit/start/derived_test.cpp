@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "case/case_cells.hpp"
 #include "unit/case/case_texts.hpp"
 
 namespace zenosphere {
