@@ -36,10 +36,11 @@ std::vector<std::int64_t> spread_snapshots(std::int64_t snapshots, std::int64_t 
   return shown;
 }
 
-FrameCollector::FrameCollector(std::int64_t spheres, int dimension, double shear_rate,
-                               std::vector<std::int64_t> shown)
+FrameCollector::FrameCollector(std::int64_t spheres, int dimension, Grains<double> grains,
+                               double shear_rate, std::vector<std::int64_t> shown)
     : spheres_(static_cast<std::size_t>(spheres)),
       dimension_(static_cast<std::size_t>(dimension)),
+      grains_(std::move(grains)),
       shear_rate_(shear_rate),
       counts_(spheres_) {
   frames_.shown = std::move(shown);
@@ -55,14 +56,20 @@ void FrameCollector::observe(const CollisionRow& row) {
 void FrameCollector::observe(const Snapshot& snapshot) {
   std::vector<double> speeds = squared_speeds(snapshot, dimension_, shear_rate_);
   double sum = 0;
-  for (double& speed : speeds) {
-    sum += speed;
-    speed = std::sqrt(speed);
+  std::int64_t mobile = 0;
+  for (std::size_t n = 0; n < speeds.size(); ++n) {
+    const auto sphere = static_cast<std::int32_t>(n);
+    if (!grains_.is_immobile(sphere)) {
+      sum += grains_.mass(sphere) * speeds[n];
+      ++mobile;
+    }
+    speeds[n] = std::sqrt(speeds[n]);
   }
   const auto number = static_cast<std::int64_t>(frames_.step.size());
   frames_.step.push_back(static_cast<double>(snapshot.step));
   frames_.time.push_back(snapshot.time);
-  frames_.granular_temperature.push_back(sum / static_cast<double>(spheres_ * dimension_));
+  frames_.granular_temperature.push_back(
+      sum / (static_cast<double>(mobile) * static_cast<double>(dimension_)));
   if (std::binary_search(frames_.shown.begin(), frames_.shown.end(), number)) {
     keep(snapshot, speeds);
   }

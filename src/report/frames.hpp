@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/grains.hpp"
 #include "storage/records.hpp"
 
 namespace zenosphere {
@@ -25,9 +26,10 @@ std::vector<std::int64_t> spread_snapshots(std::int64_t snapshots, std::int64_t 
 /// Collects frames, snapshot by snapshot, while the log goes by.
 class FrameCollector {
  public:
+  /// \param grains      masses, and which are immobile: those have no temperature
   /// \param shear_rate  of the mean flow along x, which peculiar velocities are without, 1/time
   /// \param shown       snapshots whose spheres are kept, ascending
-  FrameCollector(std::int64_t spheres, int dimension, double shear_rate,
+  FrameCollector(std::int64_t spheres, int dimension, Grains<double> grains, double shear_rate,
                  std::vector<std::int64_t> shown);
 
   /// Counts a collision for its spheres; rows come in the order of the log.
@@ -42,6 +44,7 @@ class FrameCollector {
 
   std::size_t spheres_;
   std::size_t dimension_;
+  Grains<double> grains_;
   double shear_rate_;
   std::vector<std::int32_t> counts_;
   Frames frames_;

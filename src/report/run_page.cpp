@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case/case_file.hpp"
+#include "case/case_grains.hpp"
 #include "report/frames.hpp"
 #include "report/frequent_pairs.hpp"
 #include "report/log_digest.hpp"
@@ -60,7 +61,7 @@ class RunDigest {
   RunDigest(const RunFile& file, const Case& values, std::vector<PairCount> pairs)
       : file_(file),
         log_(file.info().logged_collisions),
-        frames_(file.info().spheres, file.info().dimension,
+        frames_(file.info().spheres, file.info().dimension, grains_of(values),
                 values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0.0,
                 shown_snapshots(file.info())),
         raster_(std::move(pairs), log_.stretch().width) {

@@ -147,11 +147,21 @@ def test_run_with_a_fixed_loss_is_fitted_and_named(tmp_path):
     assert main(["cooling", str(path), "-o", str(tmp_path / "cooling.png")]) == 0
 
 
-@pytest.mark.parametrize("collision", ["contact_duration = 1e-3\n", FIXED_LOSS])
+ROUGH = "tangential_restitution = 0.5\nfriction = 0.3\n"
+
+
+@pytest.mark.parametrize("collision", ["contact_duration = 1e-3\n", FIXED_LOSS, ROUGH])
 def test_losses_are_not_counted_where_some_collisions_are_elastic(tmp_path, collision):
     path = write_cooling(tmp_path / "run.h5", [1, 0.9], log=([0.1], [1.0]), collision=collision)
     with RunFile(path) as run:
         assert cooling.temperature_of_collisions(run, 1.0)[0].size == 0
+
+
+def test_a_mixture_is_refused_since_its_spheres_have_masses_of_their_own(tmp_path, capsys):
+    path = write_cooling(tmp_path / "run.h5", haff(np.arange(9), 2.0),
+                         collision="[[species]]\nname = 'a'\nmass = 2.0\nshare = 1.0\n")
+    assert main(["cooling", str(path), "-o", str(tmp_path / "haff.png")]) == 2
+    assert "spheres that differ" in capsys.readouterr().err
 
 
 def test_figure_of_cooling_has_the_formats_asked_for(tmp_path):

@@ -46,8 +46,12 @@ def granular_temperature(positions, velocities, shear_rate=0.0, side=0.0):
 def temperature_of_snapshots(run):
     """Time and granular temperature of every snapshot, float64 (T) each.
 
-    run: RunFile
+    run: RunFile, of spheres of one mass
+    Raises InputError for a mixture.
     """
+    if {"species", "polydispersity"} & set(run.case):
+        raise InputError(f"{run.path}: is a run of spheres that differ (a cooling figure knows unit"
+                         " spheres); zenosphere export --format csv-series tells its temperatures")
     rate = run.setting("drive", "shear_rate") or 0.0
     temperatures = [granular_temperature(positions, velocities, rate, edges[1, 1] if rate else 0)
                     for positions, velocities, edges in run.snapshots()]
@@ -74,7 +78,8 @@ def is_plain(run):
     """Whether nothing feeds energy to the spheres of a run, and each collision takes one share."""
     return (run.setting("drive", "kind") == "none" and not {"walls", "gravity"} & set(run.case)
             and restitution_law(run) == "constant"
-            and not run.setting("collision", "contact_duration"))
+            and not run.setting("collision", "contact_duration")
+            and run.setting("collision", "friction") is None)
 
 
 def restitution_law(run):

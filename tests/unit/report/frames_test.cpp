@@ -25,7 +25,7 @@ TEST(SpreadSnapshots, TakesTheFirstAndTheLast) {
 }
 
 TEST(FrameCollector, LeavesTheMeanFlowOutOfSpeedAndTemperature) {
-  FrameCollector collector(2, 2, 0.5, {0});
+  FrameCollector collector(2, 2, {}, 0.5, {0});
   // At y - 2 = -1 and 1 the flow is -0.5 and 0.5; on top of it (0.3, 0.4) and (0, 0).
   collector.observe(two_disks(0, {-0.2, 0.4, 0.5, 0}));
   const Frames frames = std::move(collector).result(true);
@@ -34,8 +34,21 @@ TEST(FrameCollector, LeavesTheMeanFlowOutOfSpeedAndTemperature) {
   EXPECT_NEAR(frames.granular_temperature[0], 0.25 / 4, 1e-16);  // some ulps of 0.06
 }
 
+TEST(FrameCollector, WeighsTheTemperatureByMassAndLeavesOutWhatIsImmobile) {
+  const std::vector<double> velocities{3, 4, 1, 0};
+  Grains<double> grains;
+  grains.masses = {2, 5};
+  FrameCollector both(2, 2, grains, 0, {0});
+  both.observe(two_disks(0, velocities));
+  EXPECT_EQ(std::move(both).result(true).granular_temperature[0], (2 * 25 + 5 * 1) / 4.0);
+  grains.immobile = {0, 1};
+  FrameCollector one(2, 2, grains, 0, {0});
+  one.observe(two_disks(0, velocities));
+  EXPECT_EQ(std::move(one).result(true).granular_temperature[0], 2 * 25 / 2.0);
+}
+
 TEST(FrameCollector, CountsTheCollisionsOfSpheresAndNotOfWalls) {
-  FrameCollector collector(2, 2, 0, {0, 2});
+  FrameCollector collector(2, 2, {}, 0, {0, 2});
   collector.observe(two_disks(0, {0, 0, 0, 0}));
   collector.observe({.k = 1, .i = 0, .j = 1});
   collector.observe(two_disks(1, {0, 0, 0, 0}));
@@ -48,7 +61,7 @@ TEST(FrameCollector, CountsTheCollisionsOfSpheresAndNotOfWalls) {
 }
 
 TEST(FrameCollector, TellsNoCountsWhereTheLogHasGaps) {
-  FrameCollector collector(2, 2, 0, {0});
+  FrameCollector collector(2, 2, {}, 0, {0});
   collector.observe(two_disks(0, {0, 0, 0, 0}));
   EXPECT_TRUE(std::move(collector).result(false).collisions.empty());
 }
