@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <numeric>
 
 #include "engine/box_side.hpp"
+#include "model/power.hpp"
 
 namespace zenosphere {
 namespace {
@@ -44,8 +44,7 @@ double mean_side(const Case& values) {
 }
 
 double filled_fraction(const Case& values) {
-  const int dimension = values.system.dimension;
-  const double sphere = dimension == 1 ? 1 : std::numbers::pi / (dimension == 2 ? 4 : 6);
+  const double sphere = unit_sphere_volume(values.system.dimension);
   const double spheres =
       static_cast<double>(values.system.spheres) * values.system.sizes.mean_power;
   return spheres * sphere / volume_of(box_sides(values));

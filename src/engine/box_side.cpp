@@ -1,20 +1,13 @@
 #include "engine/box_side.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "model/instantiate.hpp"
+#include "model/power.hpp"
 
 namespace zenosphere {
 
 namespace {
-
-/// Volume of a unit-diameter sphere in `Dim` dimensions.
-template <int Dim>
-constexpr double sphere_volume() {
-  static_assert(Dim >= 1 && Dim <= 3);
-  return Dim == 1 ? 1.0 : std::numbers::pi / (Dim == 2 ? 4 : 6);
-}
 
 /// Cube root by Newton's method: the C library's may differ between machines in the last bit.
 double cube_root(double value) {
@@ -33,7 +26,7 @@ double cube_root(double value) {
 template <int Dim>
 double box_side(std::int64_t spheres, double solids_volume_fraction) {
   const double volume =
-      static_cast<double>(spheres) * sphere_volume<Dim>() / solids_volume_fraction;
+      static_cast<double>(spheres) * unit_sphere_volume(Dim) / solids_volume_fraction;
   return Dim == 1 ? volume : Dim == 2 ? std::sqrt(volume) : cube_root(volume);
 }
 

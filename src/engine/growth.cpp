@@ -1,11 +1,10 @@
 #include "engine/growth.hpp"
 
-#include <algorithm>
-#include <numbers>
 #include <numeric>
 #include <string>
 
 #include "engine/growing_spheres.hpp"
+#include "engine/rods.hpp"
 #include "model/instantiate.hpp"
 #include "model/power.hpp"
 #include "model/shuffle.hpp"
@@ -26,27 +25,20 @@ template <int Dim>
 double filled_fraction(std::span<const double> diameters, const ShearBox<Dim, double>& box) {
   double sum = 0;
   for (const double diameter : diameters) sum += power<Dim>(diameter);
-  return sum * (std::numbers::pi / (Dim == 3 ? 6 : 4)) / box.volume();
+  return sum * unit_sphere_volume(Dim) / box.volume();
 }
 
-/// Rods in the order of a shuffle, with gaps as between random points.
-std::vector<Vec<1, double>> rods(std::span<const double> lengths, const ShearBox<1, double>& box,
-                                 Random& random) {
-  const double room = box.sides()[0] - std::accumulate(lengths.begin(), lengths.end(), 0.0);
-  if (!(room > 0)) throw std::invalid_argument("the rods fill the box");
+/// Rods in the order of a shuffle.
+std::vector<Vec<1, double>> shuffled_rods(std::span<const double> lengths,
+                                          const ShearBox<1, double>& box, Random& random) {
   std::vector<std::size_t> order(lengths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   shuffle(order, random);
-  std::vector<double> points(lengths.size());
-  for (double& point : points) point = room * random.uniform();
-  std::sort(points.begin(), points.end());
+  std::vector<double> in_order;
+  for (const std::size_t i : order) in_order.push_back(lengths[i]);
+  const auto ordered = rod_places(in_order, box, random);
   std::vector<Vec<1, double>> places(lengths.size());
-  double filled = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double length = lengths[order[k]];
-    places[order[k]] = {points[k] + filled + length / 2};
-    filled += length;
-  }
+  for (std::size_t k = 0; k < order.size(); ++k) places[order[k]] = ordered[k];
   return places;
 }
 
@@ -92,7 +84,7 @@ template <int Dim>
 std::vector<Vec<Dim, double>> grown_places(std::span<const double> diameters,
                                            const ShearBox<Dim, double>& box, Random& random) {
   if constexpr (Dim == 1) {
-    return rods(diameters, box, random);
+    return shuffled_rods(diameters, box, random);
   } else {
     GrowingSpheres<Dim> spheres(diameters, box, random);
     grow(spheres, filled_fraction<Dim>(diameters, box));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/cell_lists.hpp"
+#include "engine/rods.hpp"
 #include "engine/sliding_cells.hpp"
 #include "model/instantiate.hpp"
 
@@ -143,28 +144,14 @@ class Pushing {
   std::vector<std::int32_t> home_;
 };
 
-/// Equilibrium places of rods on a ring or, between walls, on a line.
-std::vector<Vec<1, double>> rods(std::int32_t spheres, const ShearBox<1, double>& box,
-                                 Random& random) {
-  const double room = box.sides()[0] - spheres;
-  if (room <= 0) throw std::invalid_argument("too dense for random places");
-  std::vector<double> points(static_cast<std::size_t>(spheres));
-  for (double& point : points) point = room * random.uniform();
-  std::sort(points.begin(), points.end());
-  std::vector<Vec<1, double>> places;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    places.push_back({points[i] + static_cast<double>(i) + 0.5});
-  }
-  return places;
-}
-
 }  // namespace
 
 template <int Dim>
 std::vector<Vec<Dim, double>> loose_packing(std::int32_t spheres, const ShearBox<Dim, double>& box,
                                             Random& random) {
   if constexpr (Dim == 1) {
-    return rods(spheres, box, random);
+    const std::vector<double> lengths(static_cast<std::size_t>(spheres), 1.0);
+    return rod_places(lengths, box, random);
   } else {
     constexpr double kDistance = 1.001;  // a little more than needed, so that the sweeps end
     constexpr int kSweeps = 20000;

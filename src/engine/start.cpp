@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "engine/loose_packing.hpp"
 #include "engine/simulation.hpp"
 #include "model/instantiate.hpp"
+#include "model/power.hpp"
 #include "model/shuffle.hpp"
 
 namespace zenosphere {
@@ -50,9 +50,8 @@ std::vector<Vec<3, double>> fcc_lattice(std::int32_t spheres, double side) {
 template <int Dim>
 bool is_loose(std::int32_t spheres, const ShearBox<Dim, double>& box) {
   constexpr std::array densest{1.0, 0.6, 0.5};
-  constexpr std::array unit_sphere{1.0, std::numbers::pi / 4, std::numbers::pi / 6};
   constexpr double rounding = 1e-9;  // of a box that was made to be filled to the densest
-  return spheres * unit_sphere[Dim - 1] / box.volume() <= densest[Dim - 1] * (1 + rounding);
+  return spheres * unit_sphere_volume(Dim) / box.volume() <= densest[Dim - 1] * (1 + rounding);
 }
 
 /// Overlaps pushed apart, then mixed by elastic collisions at unit temperature.
@@ -84,7 +83,8 @@ std::vector<Vec<Dim, double>> loose_places(std::int32_t spheres, const ShearBox<
   return mixing.configuration().positions;
 }
 
-/// Velocities of spheres that are not all alike.
+/// Velocities of spheres that are not all alike. (Those of unit spheres would get other last digits
+/// here.)
 template <int Dim>
 std::vector<Vec<Dim, double>> velocities_by_mass(std::int32_t spheres, double temperature,
                                                  Random& random, const Grains<double>& grains) {

@@ -53,12 +53,6 @@ Sums sums_of(const Frame& frame, double shear_rate) {
   return sums;
 }
 
-std::size_t numbers_in(const RecordedSeries::Column& column) {
-  std::size_t count = 1;
-  for (const std::int64_t extent : column.shape) count *= static_cast<std::size_t>(extent);
-  return count;
-}
-
 std::string component_text(const RecordedSeries::Column& column, std::size_t component) {
   constexpr std::string_view axes = "xyz";
   if (column.shape.empty()) return "";
@@ -106,7 +100,7 @@ std::string observables_row(const Frame& frame, double shear_rate) {
 std::string series_header(const RecordedSeries& series) {
   std::string text = "step,time";
   for (const RecordedSeries::Column& column : series.columns) {
-    for (std::size_t k = 0; k < numbers_in(column); ++k) {
+    for (std::size_t k = 0; k < column.numbers_a_row(); ++k) {
       text += ',' + column.name + component_text(column, k);
     }
   }
@@ -116,7 +110,7 @@ std::string series_header(const RecordedSeries& series) {
 std::string series_row(const RecordedSeries& series, std::size_t row) {
   std::string text = fmt::format("{},{}", series.step[row], series.time[row]);
   for (const RecordedSeries::Column& column : series.columns) {
-    const std::size_t count = numbers_in(column);
+    const std::size_t count = column.numbers_a_row();
     for (std::size_t k = 0; k < count; ++k) {
       text += fmt::format(",{}", column.values[row * count + k]);
     }

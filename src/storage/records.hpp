@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -93,6 +94,12 @@ struct RecordedSeries {
     std::vector<std::int64_t> shape{};  ///< of a row; empty: a number
     std::vector<double> values{};       ///< row after row
 
+    std::size_t numbers_a_row() const {
+      std::size_t count = 1;
+      for (const std::int64_t extent : shape) count *= static_cast<std::size_t>(extent);
+      return count;
+    }
+
     template <class Self, class Archive>
     static void archive_state(Self& self, Archive& archive) {
       archive(self.name, self.shape, self.values);
@@ -107,12 +114,11 @@ struct RecordedSeries {
   static void archive_state(Self& self, Archive& archive) {
     archive(self.step, self.time, self.columns);
     for (const Column& column : self.columns) {
-      std::size_t numbers = self.time.size();
       for (const std::int64_t extent : column.shape) {
         require_archived(extent > 0 && extent < 1 << 20, "a row of no such size");
-        numbers *= static_cast<std::size_t>(extent);
       }
-      require_archived(column.values.size() == numbers && self.step.size() == self.time.size(),
+      const bool is_full = column.values.size() == self.time.size() * column.numbers_a_row();
+      require_archived(is_full && self.step.size() == self.time.size(),
                        "columns of different lengths");
     }
   }

@@ -31,12 +31,6 @@ void put(const Handle& group, const std::string& name, const std::vector<std::in
   }
 }
 
-std::int64_t numbers_in(const RecordedSeries::Column& column) {
-  std::int64_t count = 1;
-  for (const std::int64_t extent : column.shape) count *= extent;
-  return count;
-}
-
 /// An element as H5MD has them: values with the step and the time of each.
 ///
 /// \param folder  the group in `parent` that the element is in
@@ -67,7 +61,7 @@ void write_observables(const Handle& file, const RecordedSeries& series) {
   const auto rows = rows_at(times, series);
   group_at(file, "observables");
   for (const RecordedSeries::Column& column : series.columns) {
-    const auto count = static_cast<std::ptrdiff_t>(numbers_in(column));
+    const auto count = static_cast<std::ptrdiff_t>(column.numbers_a_row());
     std::vector<double> values;
     for (const std::size_t row : rows) {
       const auto begin = column.values.begin() + static_cast<std::ptrdiff_t>(row) * count;
