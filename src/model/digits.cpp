@@ -14,25 +14,6 @@ constexpr int doubles_in_quad = 3;  // 159 bits hold the 113
 
 }  // namespace
 
-/// Puts the other's significand into memory of its own; the rest has been copied.
-void Digits::copy_long(const Digits& other) {
-  const std::size_t bytes = bytes_of(bits());
-  void* place = ::operator new(bytes);
-  if (other.limbs()) std::memcpy(place, other.limbs(), bytes);
-  mpfr_custom_move(value_, place);
-}
-
-/// Becomes a copy where one of the two has a significand outside of itself.
-Digits& Digits::assign_long(const Digits& other) {
-  if (bits() == other.bits() && limbs() && other.limbs()) {
-    mpfr_set(value_, other.value_, MPFR_RNDN);
-    return *this;
-  }
-  drop();
-  copy(other);
-  return *this;
-}
-
 void Digits::set_quad(const Quad& number) {
   if (!isfinite(number)) {
     *this = Digits(static_cast<double>(number));

@@ -24,10 +24,13 @@ namespace zenosphere {
 /// of the longer operand, and is rounded correctly, to even. Up to `bits_in_place` the significand
 /// is part of the object, which nearly halves the cost of a hundred digits.
 ///
+/// Its operations are functions in a source of their own: a call costs little beside them, and
+/// where they stand in the engine's code, that takes twice as long to compile.
+///
 /// Source: Fousse et al., ACM Trans. Math. Softw. 33 (2007) 13 (MPFR).
 class Digits {
  public:
-  Digits() : Digits(Unset{}, working_bits) { mpfr_set_zero(value_, 1); }
+  Digits();
 
   template <class Number>
   requires std::is_arithmetic_v<Number> Digits(Number number)  // NOLINT: as a double is made
@@ -42,20 +45,10 @@ class Digits {
   /// Throws std::runtime_error for a text that is no number.
   explicit Digits(const std::string& decimal);
 
-  Digits(const Digits& other) { copy(other); }
-  Digits(Digits&& other) noexcept { take(other); }
-  Digits& operator=(const Digits& other) {
-    if (this == &other) return *this;
-    if (!is_in_place(bits()) || !is_in_place(other.bits())) return assign_long(other);
-    copy(other);
-    return *this;
-  }
-  Digits& operator=(Digits&& other) noexcept {
-    if (this == &other) return *this;
-    drop();
-    take(other);
-    return *this;
-  }
+  Digits(const Digits& other);
+  Digits(Digits&& other) noexcept;
+  Digits& operator=(const Digits& other);
+  Digits& operator=(Digits&& other) noexcept;
   ~Digits() { drop(); }
 
   /// The same number with the working precision, or the next to it where that is shorter.
@@ -82,42 +75,33 @@ class Digits {
   std::string str(int digits) const;
   std::string str() const { return str(bits() * 301 / 1000 + 3); }
 
-  Digits operator-() const {
-    Digits result(Unset{}, bits());
-    mpfr_neg(result.value_, value_, MPFR_RNDN);
-    return result;
-  }
+  Digits operator-() const;
 
-  friend Digits operator+(const Digits& a, const Digits& b) { return result_of(mpfr_add, a, b); }
-  friend Digits operator-(const Digits& a, const Digits& b) { return result_of(mpfr_sub, a, b); }
-  friend Digits operator*(const Digits& a, const Digits& b) { return result_of(mpfr_mul, a, b); }
-  friend Digits operator/(const Digits& a, const Digits& b) { return result_of(mpfr_div, a, b); }
+  friend Digits operator+(const Digits& a, const Digits& b);
+  friend Digits operator-(const Digits& a, const Digits& b);
+  friend Digits operator*(const Digits& a, const Digits& b);
+  friend Digits operator/(const Digits& a, const Digits& b);
 
   template <std::signed_integral Integer>
   friend Digits operator*(const Digits& a, Integer b) {
-    return result_of(mpfr_mul_si, a, b);
+    return times(a, b);
   }
   template <std::signed_integral Integer>
   friend Digits operator*(Integer a, const Digits& b) {
-    return result_of(mpfr_mul_si, b, a);
+    return times(b, a);
   }
   template <std::signed_integral Integer>
   friend Digits operator/(const Digits& a, Integer b) {
-    return result_of(mpfr_div_si, a, b);
+    return divided(a, b);
   }
 
-  Digits& operator+=(const Digits& other) { return change(mpfr_add, other); }
-  Digits& operator-=(const Digits& other) { return change(mpfr_sub, other); }
-  Digits& operator*=(const Digits& other) { return change(mpfr_mul, other); }
-  Digits& operator/=(const Digits& other) { return change(mpfr_div, other); }
+  Digits& operator+=(const Digits& other);
+  Digits& operator-=(const Digits& other);
+  Digits& operator*=(const Digits& other);
+  Digits& operator/=(const Digits& other);
 
-  friend bool operator==(const Digits& a, const Digits& b) {
-    return mpfr_equal_p(a.value_, b.value_) != 0;
-  }
-  friend std::partial_ordering operator<=>(const Digits& a, const Digits& b) {
-    if (isnan(a) || isnan(b)) return std::partial_ordering::unordered;
-    return mpfr_cmp(a.value_, b.value_) <=> 0;
-  }
+  friend bool operator==(const Digits& a, const Digits& b);
+  friend std::partial_ordering operator<=>(const Digits& a, const Digits& b);
   template <class Number>
   requires std::is_arithmetic_v<Number>
   friend bool operator==(const Digits& a, Number b) { return (a <=> b) == 0; }
@@ -127,8 +111,7 @@ class Digits {
     if constexpr (std::is_same_v<Number, long double>) {
       return a <=> Digits(b);
     } else if constexpr (std::is_floating_point_v<Number>) {
-      if (isnan(a) || b != b) return std::partial_ordering::unordered;
-      return mpfr_cmp_d(a.value_, b) <=> 0;
+      return compared(a, static_cast<double>(b));
     } else if (isnan(a)) {
       return std::partial_ordering::unordered;
     } else if constexpr (std::is_unsigned_v<Number>) {
@@ -143,23 +126,15 @@ class Digits {
   friend bool isfinite(const Digits& x) { return mpfr_number_p(x.value_) != 0; }
   friend bool signbit(const Digits& x) { return mpfr_signbit(x.value_) != 0; }
 
-  friend Digits abs(const Digits& x) { return result_of(mpfr_abs, x); }
-  friend Digits sqrt(const Digits& x) { return result_of(mpfr_sqrt, x); }
-  friend Digits log(const Digits& x) { return result_of(mpfr_log, x); }
-  friend Digits log10(const Digits& x) { return result_of(mpfr_log10, x); }
-  friend Digits floor(const Digits& x) {
-    Digits result(Unset{}, x.bits());
-    mpfr_floor(result.value_, x.value_);
-    return result;
-  }
+  friend Digits abs(const Digits& x);
+  friend Digits sqrt(const Digits& x);
+  friend Digits log(const Digits& x);
+  friend Digits log10(const Digits& x);
+  friend Digits floor(const Digits& x);
 
   /// x = result 2^exponent, the result in [1/2, 1) but for 0.
   friend Digits frexp(const Digits& x, int* exponent);
-  friend Digits ldexp(const Digits& x, int exponent) {
-    Digits result(Unset{}, x.bits());
-    mpfr_mul_2si(result.value_, x.value_, exponent, MPFR_RNDN);
-    return result;
-  }
+  friend Digits ldexp(const Digits& x, int exponent);
 
   friend DigitsParts parts_of(const Digits& number);
   friend std::optional<Digits> composed(const DigitsParts& parts, int bits);
@@ -174,38 +149,17 @@ class Digits {
   static inline constinit thread_local int working_bits = default_bits;
 
   struct Unset {};
-  Digits(Unset, int bits) {
-    void* place = is_in_place(bits) ? here_ : ::operator new(bytes_of(bits));
-    mpfr_custom_init_set(value_, MPFR_NAN_KIND, 0, bits, place);
-  }
+  Digits(Unset, int bits);
 
   static bool is_in_place(int bits) { return bits <= bits_in_place; }
   static std::size_t bytes_of(int bits) { return mpfr_custom_get_size(bits); }
   const void* limbs() const { return mpfr_custom_get_significand(value_); }
 
   /// Becomes a copy; it holds no memory of its own.
-  void copy(const Digits& other) {
-    value_[0] = other.value_[0];
-    if (is_in_place(bits())) {
-      std::memcpy(here_, other.here_, sizeof here_);
-      mpfr_custom_move(value_, here_);
-      return;
-    }
-    copy_long(other);
-  }
-  void copy_long(const Digits& other);
-  Digits& assign_long(const Digits& other);
+  void copy(const Digits& other);
 
   /// Becomes the other, which is left without a value; it holds no memory of its own.
-  void take(Digits& other) {
-    value_[0] = other.value_[0];
-    if (is_in_place(bits())) {
-      std::memcpy(here_, other.here_, sizeof here_);
-      mpfr_custom_move(value_, here_);
-    } else {
-      mpfr_custom_move(other.value_, nullptr);
-    }
-  }
+  void take(Digits& other);
 
   void drop() {
     if (!is_in_place(bits())) ::operator delete(mpfr_custom_get_significand(value_));
@@ -228,29 +182,14 @@ class Digits {
   }
 
   template <class Operation>
-  static Digits result_of(Operation operation, const Digits& a, const Digits& b) {
-    Digits result(Unset{}, a.bits() < b.bits() ? b.bits() : a.bits());
-    operation(result.value_, a.value_, b.value_, MPFR_RNDN);
-    return result;
-  }
+  static Digits result_of(Operation operation, const Digits& a, const Digits& b);
   template <class Operation>
-  static Digits result_of(Operation operation, const Digits& a, long b) {
-    Digits result(Unset{}, a.bits());
-    operation(result.value_, a.value_, b, MPFR_RNDN);
-    return result;
-  }
+  static Digits result_of(Operation operation, const Digits& x);
   template <class Operation>
-  static Digits result_of(Operation operation, const Digits& x) {
-    Digits result(Unset{}, x.bits());
-    operation(result.value_, x.value_, MPFR_RNDN);
-    return result;
-  }
-  template <class Operation>
-  Digits& change(Operation operation, const Digits& other) {
-    if (bits() < other.bits()) return *this = result_of(operation, *this, other);
-    operation(value_, value_, other.value_, MPFR_RNDN);
-    return *this;
-  }
+  Digits& change(Operation operation, const Digits& other);
+  static Digits times(const Digits& a, long b);
+  static Digits divided(const Digits& a, long b);
+  static std::partial_ordering compared(const Digits& a, double b);
 
   mpfr_t value_;
   mp_limb_t here_[limbs_in_place];  ///< the significand, if it is short enough
