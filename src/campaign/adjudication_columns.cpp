@@ -87,7 +87,7 @@ Cell collapse_time(const TimedAdjudication& timed) {
   return std::strtod(first->collapse_time->c_str(), nullptr);
 }
 
-constexpr std::array<AdjudicationColumn, 17> columns{{
+constexpr std::array<AdjudicationColumn, 17> adjudication_list{{
     {"adjudication_finding", "TEXT", finding},
     {"adjudication_first_finding", "TEXT", first_finding},
     {"adjudication_sentence", "TEXT", first_sentence},
@@ -111,11 +111,12 @@ constexpr std::array<AdjudicationColumn, 17> columns{{
 
 }  // namespace
 
-std::span<const AdjudicationColumn> adjudication_columns() { return columns; }
+std::span<const AdjudicationColumn> adjudication_columns() { return adjudication_list; }
 
 std::vector<Cell> adjudication_cells(const TimedAdjudication& adjudication) {
   std::vector<Cell> cells;
-  for (const AdjudicationColumn& column : columns) cells.push_back(column.cell(adjudication));
+  for (const AdjudicationColumn& column : adjudication_list)
+    cells.push_back(column.cell(adjudication));
   return cells;
 }
 

@@ -19,18 +19,18 @@ using case_format::TreeNode;
 namespace {
 
 /// What the keys of the table hold.
-struct Told {
+struct BoundaryTable {
   std::optional<std::string> axis, criterion;
   std::optional<double> from, to, resolution;
   std::int64_t runs = 200;
   std::int64_t round = 8;
 };
 
-Told told_in(const TreeNode& table, Problems& problems) {
+BoundaryTable told_in(const TreeNode& table, Problems& problems) {
   constexpr double unbounded = std::numeric_limits<double>::max();
   constexpr case_format::Range finite{-unbounded, unbounded, true, ""};
   constexpr case_format::Range above_zero{0, unbounded, false, ""};
-  Told told;
+  BoundaryTable told;
   const std::array fields{
       text_field("axis", told.axis),
       text_field("criterion", told.criterion),
@@ -51,29 +51,29 @@ const case_format::Place& place_of(const TreeNode& table, std::string_view name)
 }
 
 /// What is wrong with the values together, and with which key; no key: with the table.
-struct Objection {
+struct WrongKey {
   std::string_view key;
   std::string text;
 };
 
-std::optional<Objection> objection(const Told& told) {
+std::optional<WrongKey> objection(const BoundaryTable& told) {
   if (!told.axis || !told.criterion || !told.from || !told.to || !told.resolution) {
-    return Objection{
+    return WrongKey{
         "", "boundary (needs axis, criterion, from, to and resolution); add what is missing"};
   }
   if (*told.criterion != "separation" && *told.criterion != "arrest") {
-    return Objection{"criterion",
-                     fmt::format("boundary.criterion = {} (must be \"separation\" or \"arrest\")",
-                                 case_format::shown(*told.criterion))};
+    return WrongKey{"criterion",
+                    fmt::format("boundary.criterion = {} (must be \"separation\" or \"arrest\")",
+                                case_format::shown(*told.criterion))};
   }
   if (!(*told.from < *told.to)) {
-    return Objection{"to",
-                     fmt::format("boundary.to = {} (must be > from = {})", *told.to, *told.from)};
+    return WrongKey{"to",
+                    fmt::format("boundary.to = {} (must be > from = {})", *told.to, *told.from)};
   }
   constexpr double finest = 1e-3;  // of the range: the posterior is on a grid
   const double length = *told.to - *told.from;
   if (*told.resolution > length || *told.resolution < finest * length) {
-    return Objection{
+    return WrongKey{
         "resolution",
         fmt::format("boundary.resolution = {} (must be in [{:.3g}, {:.3g}], parts of the range)",
                     *told.resolution, finest * length, length)};
@@ -110,7 +110,7 @@ const Key* key_of(const std::string& path, const case_format::Place& place,
 
 std::optional<BoundaryRequest> boundary_of(const TreeNode& table, std::vector<SweepAxis>& axes,
                                            Problems& problems) {
-  const Told told = told_in(table, problems);
+  const BoundaryTable told = told_in(table, problems);
   if (const auto wrong = objection(told)) {
     problems.add(place_of(table, wrong->key), wrong->text);
     return std::nullopt;

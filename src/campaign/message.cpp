@@ -6,27 +6,27 @@ namespace zenosphere {
 
 namespace {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 /// Texts of the user may hold bytes that are no UTF-8, which JSON cannot.
-std::string dump(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string dump(const SortedJson& json) {
+  return json.dump(-1, ' ', false, SortedJson::error_handler_t::replace);
 }
 
 template <class T>
-std::optional<T> if_there(const Json& json, const char* name) {
+std::optional<T> if_there(const SortedJson& json, const char* name) {
   return json.contains(name) ? std::optional(json[name].get<T>()) : std::nullopt;
 }
 
-Json json_of(const AdjudicationRequest& request) {
-  Json json = {{"seconds", request.seconds}};
+SortedJson json_of(const AdjudicationRequest& request) {
+  SortedJson json = {{"seconds", request.seconds}};
   if (request.groups) json["groups"] = *request.groups;
   if (request.up_to) json["up_to"] = request.up_to->word();
   if (request.collisions) json["collisions"] = *request.collisions;
   return json;
 }
 
-AdjudicationRequest request_in(const Json& json) {
+AdjudicationRequest request_in(const SortedJson& json) {
   AdjudicationRequest request{.groups = if_there<std::int64_t>(json, "groups"),
                               .seconds = json.at("seconds").get<double>(),
                               .collisions = if_there<std::int64_t>(json, "collisions")};
@@ -36,9 +36,9 @@ AdjudicationRequest request_in(const Json& json) {
   return request;
 }
 
-Json json_of(const AdjudicationResult& result) {
+SortedJson json_of(const AdjudicationResult& result) {
   if (result.error) return {{"error", *result.error}};
-  Json cells = Json::array();
+  SortedJson cells = SortedJson::array();
   for (const Cell& cell : result.cells) {
     const auto add = [&](const auto& value) { cells.push_back(value); };
     if (const auto* integer = std::get_if<std::int64_t>(&cell)) {
@@ -54,38 +54,38 @@ Json json_of(const AdjudicationResult& result) {
   return {{"cells", cells}};
 }
 
-Cell cell_in(const Json& json) {
+Cell cell_in(const SortedJson& json) {
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
   return {};
 }
 
-std::optional<AdjudicationResult> adjudication_in(const Json& json) {
+std::optional<AdjudicationResult> adjudication_in(const SortedJson& json) {
   if (!json.contains("adjudication")) return std::nullopt;
-  const Json& told = json["adjudication"];
+  const SortedJson& told = json["adjudication"];
   AdjudicationResult result{.error = if_there<std::string>(told, "error")};
   if (result.error) return result;
-  for (const Json& cell : told.at("cells")) result.cells.push_back(cell_in(cell));
+  for (const SortedJson& cell : told.at("cells")) result.cells.push_back(cell_in(cell));
   return result;
 }
 
 }  // namespace
 
 std::string to_message(const TaskMessage& task) {
-  Json json = {{"run", task.run}, {"case", task.case_text}};
+  SortedJson json = {{"run", task.run}, {"case", task.case_text}};
   const RunRules& rules = task.rules;
   if (rules.wall_seconds) json["wall_seconds"] = *rules.wall_seconds;
   if (rules.adjudicate) json["adjudicate"] = json_of(*rules.adjudicate);
   if (rules.done) {
-    json["done"] = Json::object();
+    json["done"] = SortedJson::object();
     if (rules.done->collisions) json["done"]["collisions"] = *rules.done->collisions;
   }
   return dump(json);
 }
 
 TaskMessage task_from_message(const std::string& text) {
-  const Json json = Json::parse(text);
+  const SortedJson json = SortedJson::parse(text);
   TaskMessage task{json.at("run").get<std::int64_t>(), json.at("case").get<std::string>(), {}};
   task.rules.wall_seconds = if_there<double>(json, "wall_seconds");
   if (json.contains("adjudicate")) task.rules.adjudicate = request_in(json["adjudicate"]);
@@ -96,7 +96,7 @@ TaskMessage task_from_message(const std::string& text) {
 }
 
 std::string to_message(const RunResult& result, int dimension) {
-  Json json = {{"run", result.run}, {"dimension", dimension}};
+  SortedJson json = {{"run", result.run}, {"dimension", dimension}};
   if (const auto* failure = std::get_if<Failure>(&result.outcome)) json["error"] = failure->error;
   if (const auto* summary = std::get_if<Summary>(&result.outcome)) {
     json["summary"] = to_json(*summary, dimension);
@@ -107,7 +107,7 @@ std::string to_message(const RunResult& result, int dimension) {
 }
 
 RunResult result_from_message(const std::string& text) {
-  const Json json = Json::parse(text);
+  const SortedJson json = SortedJson::parse(text);
   const auto run = json.at("run").get<std::int64_t>();
   if (json.contains("error")) return {run, Failure{json["error"].get<std::string>()}};
   if (json.contains("unchanged")) return {run, Unchanged{}, adjudication_in(json)};

@@ -42,10 +42,10 @@ Outcome outcome_of(const Case& values, const std::optional<double>& wall_seconds
 ///
 /// \param collisions  that the run did, where its wall time ended it: its hits are those up to
 /// there
-std::optional<AdjudicationResult> adjudication_of(Case values,
-                                                  const std::optional<std::int64_t>& collisions,
-                                                  const AdjudicationRequest& request,
-                                                  const std::function<bool()>& is_cancelled) {
+std::optional<AdjudicationResult> adjudicated(Case values,
+                                              const std::optional<std::int64_t>& collisions,
+                                              const AdjudicationRequest& request,
+                                              const std::function<bool()>& is_cancelled) {
   if (collisions) values.run.collisions = *collisions;
   std::atomic<bool> is_to_end{false};
   const auto look = [&] {
@@ -88,8 +88,7 @@ RunResult result_of(std::int64_t run, const Case& values, const RunRules& rules,
     if (!rules.done) result.outcome = outcome_of(values, rules.wall_seconds, is_cancelled);
     const auto done = rules.done ? rules.done : run_with_hits(result.outcome);
     if (!rules.adjudicate || !done) return result;
-    result.adjudication =
-        adjudication_of(values, done->collisions, *rules.adjudicate, is_cancelled);
+    result.adjudication = adjudicated(values, done->collisions, *rules.adjudicate, is_cancelled);
     return result.adjudication ? result : RunResult{run, Dropped{}};
   } catch (const std::exception& error) {
     return failed_result(run, rules, error.what());

@@ -11,19 +11,10 @@
 #include "case/case_limits.hpp"
 #include "case/case_numbers.hpp"
 #include "case/case_toml.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere::case_format {
 namespace {
-
-/// Longest piece of the user's text that a message repeats [bytes]: it still fits on a line.
-constexpr std::size_t longest_shown = 60;
-
-std::string shortened(std::string_view text) {
-  if (text.size() <= longest_shown) return std::string(text);
-  std::size_t end = longest_shown;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // whole UTF-8
-  return std::string(text.substr(0, end)) + "...";
-}
 
 bool is_bare(std::string_view part) {
   const auto bare = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };

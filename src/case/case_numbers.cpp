@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "case/case_limits.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere::case_format {
 namespace {
@@ -33,13 +34,6 @@ std::string_view next_digits(std::string_view& text) {
 }
 
 bool is_nought(char c) { return c == '0' || c == '_'; }
-
-/// Digits as messages show them: cut where reading on helps no more.
-std::string shortened(std::string_view digits) {
-  constexpr std::size_t longest = 60;
-  const std::string_view begin = digits.substr(0, longest);
-  return fmt::format("{}{}", begin, begin.size() < digits.size() ? "..." : "");
-}
 
 bool cut(std::string_view& text, std::string_view marks) {
   const bool stands_here = !text.empty() && marks.find(text.front()) != std::string_view::npos;

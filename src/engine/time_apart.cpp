@@ -14,7 +14,6 @@ namespace zenosphere {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double never = std::numeric_limits<double>::infinity();
 
 __extension__ using Wide = unsigned __int128;  // products of two integers of 64 bits
 

@@ -7,6 +7,8 @@
 
 namespace zenosphere {
 
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
 /// Two unit spheres that fly straight through a box at rest, one seen from the other.
 template <int Dim>
 struct StraightFlight {

@@ -10,8 +10,6 @@ namespace zenosphere {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
 /// When a place along a periodic axis comes within `reach` of 0.
 double first_near(double place, double velocity, double side, double reach) {
   const double from = velocity < 0 ? -std::remainder(place, side) : std::remainder(place, side);

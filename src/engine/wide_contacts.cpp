@@ -14,7 +14,7 @@ namespace zenosphere {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double no_contact = std::numeric_limits<double>::infinity();
 
 /// Reads four numbers of each of four things, and puts the same number of all side by side.
 ZENOSPHERE_WIDE inline void read_columns(const double* a, const double* b, const double* c,
@@ -119,7 +119,7 @@ ZENOSPHERE_WIDE inline __m256d contact_times(const Approaches& four, __m256d sig
   const __m256d time = _mm256_div_pd(
       c, _mm256_add_pd(_mm256_xor_pd(b, _mm256_set1_pd(-0.0)), _mm256_sqrt_pd(discriminant)));
   const __m256d misses = _mm256_cmp_pd(discriminant, _mm256_setzero_pd(), _CMP_LT_OQ);
-  return _mm256_blendv_pd(time, _mm256_set1_pd(never), misses);
+  return _mm256_blendv_pd(time, _mm256_set1_pd(no_contact), misses);
 }
 
 /// The approaches of up to `most` neighbours, by their numbers.
@@ -187,16 +187,17 @@ struct FirstTwoInLanes {
   __m256d ties;                 ///< not zero where two had one time
 
   ZENOSPHERE_WIDE FirstTwoInLanes()
-      : first(_mm256_set1_pd(never)),
+      : first(_mm256_set1_pd(no_contact)),
         second(first),
         first_is(_mm256_setzero_pd()),
         second_is(first_is),
         ties(first_is) {}
 
   ZENOSPHERE_WIDE void add(__m256d time, __m256d number) {
-    ties = _mm256_or_pd(ties, _mm256_and_pd(_mm256_cmp_pd(time, _mm256_set1_pd(never), _CMP_LT_OQ),
-                                            _mm256_or_pd(_mm256_cmp_pd(time, first, _CMP_EQ_OQ),
-                                                         _mm256_cmp_pd(time, second, _CMP_EQ_OQ))));
+    ties = _mm256_or_pd(ties,
+                        _mm256_and_pd(_mm256_cmp_pd(time, _mm256_set1_pd(no_contact), _CMP_LT_OQ),
+                                      _mm256_or_pd(_mm256_cmp_pd(time, first, _CMP_EQ_OQ),
+                                                   _mm256_cmp_pd(time, second, _CMP_EQ_OQ))));
     const __m256d is_first = _mm256_cmp_pd(time, first, _CMP_LT_OQ);
     const __m256d later = _mm256_blendv_pd(time, first, is_first);
     const __m256d later_is = _mm256_blendv_pd(number, first_is, is_first);
@@ -273,7 +274,7 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
     const __m256d time = contact_times(approaches.of(numbers), sigmas.of(numbers));
     overlaps = _mm256_or_pd(overlaps, _mm256_cmp_pd(time, _mm256_setzero_pd(), _CMP_NGT_UQ));
     const __m256d then = _mm256_add_pd(when, time);
-    meetings += std::popcount(bits(_mm256_cmp_pd(then, _mm256_set1_pd(never), _CMP_LT_OQ)));
+    meetings += std::popcount(bits(_mm256_cmp_pd(then, _mm256_set1_pd(no_contact), _CMP_LT_OQ)));
     const auto [i, j, k, l] = numbers;
     lanes.add(then, _mm256_castsi256_pd(_mm256_set_epi64x(
                         static_cast<std::int64_t>(l), static_cast<std::int64_t>(k),

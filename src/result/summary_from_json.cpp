@@ -13,7 +13,7 @@ namespace zenosphere {
 
 namespace {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 [[noreturn]] void reject(const std::string& what) {
   constexpr std::size_t longest = 200;  // the library repeats what it could not read
@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 /// Keeps its values in their types: the library would round a fraction to an integer, and a number
 /// beyond the integers to nothing that is defined.
 template <class T>
-T value_of(const Json& member) {
+T value_of(const SortedJson& member) {
   if constexpr (std::is_same_v<T, std::int64_t>) {
     const bool fits = member.is_number_integer() &&
                       (!member.is_number_unsigned() ||
@@ -35,37 +35,37 @@ T value_of(const Json& member) {
 }
 
 template <class T>
-void read(const Json& object, const char* key, T& value) {
+void read(const SortedJson& object, const char* key, T& value) {
   value = value_of<T>(object.at(key));
 }
 
 /// Null stands for an absent value.
 template <class T>
-void read(const Json& object, const char* key, std::optional<T>& value) {
-  const Json& member = object.at(key);
+void read(const SortedJson& object, const char* key, std::optional<T>& value) {
+  const SortedJson& member = object.at(key);
   if (!member.is_null()) value = value_of<T>(member);
 }
 
 /// Null stands for a number that is not finite.
-void read(const Json& object, const char* key, double& value) {
-  const Json& member = object.at(key);
+void read(const SortedJson& object, const char* key, double& value) {
+  const SortedJson& member = object.at(key);
   value = member.is_null() ? std::numeric_limits<double>::quiet_NaN() : member.get<double>();
 }
 
-void read(const Json& values, std::vector<double>& row) {
-  for (const Json& value : values) {
+void read(const SortedJson& values, std::vector<double>& row) {
+  for (const SortedJson& value : values) {
     row.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
   }
 }
 
-void read_verdict(const Json& json, std::string& verdict) {
+void read_verdict(const SortedJson& json, std::string& verdict) {
   constexpr std::array<std::string_view, 4> words{"none", "temporary", "open", "true"};
   read(json, "verdict", verdict);
   if (std::find(words.begin(), words.end(), verdict) == words.end()) reject("no known verdict");
 }
 
-void read_pairs(const Json& json, Summary::Arrest& arrest) {
-  for (const Json& pair : json) {
+void read_pairs(const SortedJson& json, Summary::Arrest& arrest) {
+  for (const SortedJson& pair : json) {
     if (!pair.is_array() || pair.size() != 2) reject("arrest.pairs has other than pairs");
     arrest.pairs.emplace_back(value_of<std::int64_t>(pair[0]), value_of<std::int64_t>(pair[1]));
   }
@@ -80,27 +80,28 @@ void require_extents(const Observables& averages, int dimension) {
   if (!fits) reject(fmt::format("its averages do not have {} dimensions", dimension));
 }
 
-void read_member(const Json& json, const char* key, Shape, double& number) {
+void read_member(const SortedJson& json, const char* key, Shape, double& number) {
   read(json, key, number);
 }
-void read_member(const Json& json, const char* key, Shape, std::optional<double>& number) {
+void read_member(const SortedJson& json, const char* key, Shape, std::optional<double>& number) {
   if (json.contains(key)) read(json, key, number.emplace());
 }
 /// A row that is missing is one of no numbers; `require_extents` looks at those that must be there.
-void read_member(const Json& json, const char* key, Shape shape, std::vector<double>& numbers) {
+void read_member(const SortedJson& json, const char* key, Shape shape,
+                 std::vector<double>& numbers) {
   if (!json.contains(key)) return;
   if (shape == Shape::row) return read(json.at(key), numbers);
-  for (const Json& row : json.at(key)) read(row, numbers);
+  for (const SortedJson& row : json.at(key)) read(row, numbers);
 }
 
-void read_observables(const Json& json, int dimension, Observables& observables) {
+void read_observables(const SortedJson& json, int dimension, Observables& observables) {
   Observables::fields(observables, [&](const char* name, auto& member, Shape shape, Mean) {
     read_member(json, name, shape, member);
   });
   require_extents(observables, dimension);
 }
 
-std::optional<Averages> averages(const Json& json, int dimension) {
+std::optional<Averages> averages(const SortedJson& json, int dimension) {
   if (json.at("to_time").is_null()) return std::nullopt;
   Averages averages;
   read_observables(json, dimension, averages);
@@ -112,15 +113,15 @@ std::optional<Averages> averages(const Json& json, int dimension) {
   read(json, "steady_reason", averages.steady_reason);
   read(json, "streak_amplitude", averages.streak_amplitude);
   read(json, "temperature_without_streak", averages.temperature_without_streak);
-  const Json& errors = json.at("standard_error");
+  const SortedJson& errors = json.at("standard_error");
   if (errors.at("pressure_tensor").is_null()) return averages;
   read_observables(errors, dimension, averages.standard_error.emplace());
   return averages;
 }
 
-void read_collapse(const Json& json, Summary& summary) {
+void read_collapse(const SortedJson& json, Summary& summary) {
   read_verdict(json, summary.verdict);
-  const Json& separation = json.at("separation");
+  const SortedJson& separation = json.at("separation");
   read(separation, "hits", summary.separation.hits);
   read(separation, "first_collision", summary.separation.first_collision);
   read(separation, "first_time", summary.separation.first_time);
@@ -129,7 +130,7 @@ void read_collapse(const Json& json, Summary& summary) {
     read(separation, "last_time", summary.separation.last_time);
     read(separation, "longest_pause", summary.separation.longest_pause);
   }
-  const Json& arrest = json.at("arrest");
+  const SortedJson& arrest = json.at("arrest");
   read(arrest, "met", summary.arrest.met);
   read(arrest, "collision", summary.arrest.collision);
   read(arrest, "time", summary.arrest.time);
@@ -142,7 +143,7 @@ void read_collapse(const Json& json, Summary& summary) {
   }
 }
 
-std::optional<Summary::Dissected> dissected(const Json& json) {
+std::optional<Summary::Dissected> dissected(const SortedJson& json) {
   if (json.is_null()) return std::nullopt;
   Summary::Dissected dissected;
   read(json, "collision", dissected.collision);
@@ -165,14 +166,14 @@ std::optional<Summary::Dissected> dissected(const Json& json) {
 }
 
 /// Absent from files of version 0.1.0 that were written before there were contact models.
-void read_contact(const Json& json, Summary::Contact& contact) {
+void read_contact(const SortedJson& json, Summary::Contact& contact) {
   read(json, "mean_restitution", contact.mean_restitution);
   read(json, "made_elastic", contact.made_elastic);
   read(json, "rotated", contact.rotated);
 }
 
-void read_species(const Json& json, Summary& summary) {
-  for (const Json& row : json) {
+void read_species(const SortedJson& json, Summary& summary) {
+  for (const SortedJson& row : json) {
     Summary::Kind kind;
     read(row, "name", kind.name);
     read(row, "spheres", kind.spheres);
@@ -182,7 +183,7 @@ void read_species(const Json& json, Summary& summary) {
   }
 }
 
-Summary summary_of(const Json& json, int dimension) {
+Summary summary_of(const SortedJson& json, int dimension) {
   Summary summary;
   read(json, "collisions", summary.collisions);
   read(json, "collisions_per_sphere", summary.collisions_per_sphere);
@@ -214,8 +215,8 @@ Summary summary_of(const Json& json, int dimension) {
 
 Summary summary_from_json(const std::string& text, int dimension) {
   try {
-    return summary_of(Json::parse(text), dimension);
-  } catch (const Json::exception& error) {
+    return summary_of(SortedJson::parse(text), dimension);
+  } catch (const SortedJson::exception& error) {
     reject(error.what());
   }
 }

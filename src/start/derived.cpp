@@ -23,7 +23,7 @@ constexpr double bytes_per_component_and_snapshot = 2 * 8;
 constexpr double bytes_per_logged_collision = 8 + 8 + 4 + 4 + 8 + 8 + 1;
 
 /// Lines `label  value unit`, the values under one another.
-class Lines {
+class AlignedLines {
  public:
   void add(std::string_view label, double value, std::string_view unit = "") {
     add(label, fmt::format("{:.8g}", value), unit);
@@ -50,7 +50,7 @@ std::string lengths(const Vec<Dim, double>& of) {
 }
 
 template <int Dim>
-void add_box(const Case& values, const ShearBox<Dim, double>& box, Lines& lines) {
+void add_box(const Case& values, const ShearBox<Dim, double>& box, AlignedLines& lines) {
   constexpr std::array units{"per diameter", "per diameter^2", "per diameter^3"};
   lines.add("box side", lengths(box.sides()), "diameters");
   lines.add("number density", static_cast<double>(values.system.spheres) / box.volume(),
@@ -64,7 +64,7 @@ void add_box(const Case& values, const ShearBox<Dim, double>& box, Lines& lines)
 }
 
 /// Checks what the case gives, too.
-void add_given_start(const Case& values, Lines& lines) {
+void add_given_start(const Case& values, AlignedLines& lines) {
   double square = 0;
   for (const double component : given_start(values).velocities) square += component * component;
   if (!values.start.granular_temperature) {
@@ -72,7 +72,7 @@ void add_given_start(const Case& values, Lines& lines) {
   }
 }
 
-void add_start(const Case& values, double side, Lines& lines) {
+void add_start(const Case& values, double side, AlignedLines& lines) {
   const Arrangement arrangement = values.start.arrangement;
   if (arrangement == Arrangement::fcc) {
     const double constant = side / std::cbrt(static_cast<double>(values.system.spheres) / 4);
@@ -86,7 +86,7 @@ void add_start(const Case& values, double side, Lines& lines) {
   }
 }
 
-void add_shear(const Case& values, double side, Lines& lines) {
+void add_shear(const Case& values, double side, AlignedLines& lines) {
   const double rate = values.drive.shear_rate;
   if (values.drive.kind != DriveKind::shear || rate == 0) return;
   lines.add("time of one strain unit", 1 / rate, "time");
@@ -96,19 +96,19 @@ void add_shear(const Case& values, double side, Lines& lines) {
   lines.add("strain at measure.after_time", rate * values.measure.after_time.time());
 }
 
-void add_kicks(const Case& values, Lines& lines) {
+void add_kicks(const Case& values, AlignedLines& lines) {
   if (values.drive.kind != DriveKind::random || !values.run.time) return;
   lines.add("kicks until run.time", std::floor(*values.run.time / values.drive.kick_interval));
 }
 
 template <class Restitution>
-void add_restitution(const Restitution& restitution, Lines& lines) {
+void add_restitution(const Restitution& restitution, AlignedLines& lines) {
   for (const double speed : {1.0, 0.01}) {
     lines.add(fmt::format("restitution at the speed {:g}", speed), restitution(speed));
   }
 }
 
-void add_contact(const Case& values, Lines& lines) {
+void add_contact(const Case& values, AlignedLines& lines) {
   const auto& collision = values.collision;
   if (collision.restitution_law == RestitutionLaw::fixed_loss) {
     lines.add("energy lost above the speed", 2 * std::sqrt(collision.energy_loss),
@@ -120,7 +120,7 @@ void add_contact(const Case& values, Lines& lines) {
 }
 
 /// `400 spheres of diameter 1.4, mass 2.744`
-void add_species(const Case& values, Lines& lines) {
+void add_species(const Case& values, AlignedLines& lines) {
   const std::vector<std::int64_t> counts = spheres_by_species(values);
   for (std::size_t kind = 0; kind < values.species.size(); ++kind) {
     const Species& species = values.species[kind];
@@ -136,7 +136,7 @@ void add_species(const Case& values, Lines& lines) {
             fmt::format("{:.8g}, {:.8g}", sizes.smallest, sizes.largest), "");
 }
 
-void add_run(const Case& values, Lines& lines) {
+void add_run(const Case& values, AlignedLines& lines) {
   if (!values.run.collisions) return;
   const auto collisions = static_cast<double>(*values.run.collisions);
   const auto spheres = static_cast<double>(values.system.spheres);
@@ -145,7 +145,7 @@ void add_run(const Case& values, Lines& lines) {
 
 /// What the criteria of collapse are asked to see: a warning where that is not the end of the
 /// digits.
-void add_collapse(const Case& values, Lines& lines) {
+void add_collapse(const Case& values, AlignedLines& lines) {
   const double decades =
       values.collapse.gap_threshold.log10() - GapThreshold(values.collision.precision).log10();
   constexpr double most = 2;  // gaps are good to some ten times it in a box of twenty diameters
@@ -170,7 +170,7 @@ double most_logged(const Case& values) {
   return std::fmax(0, last - static_cast<double>(values.output.log_first) + 1);
 }
 
-void add_output(const Case& values, Lines& lines) {
+void add_output(const Case& values, AlignedLines& lines) {
   constexpr double mebibyte = 1024 * 1024;
   const auto spheres = static_cast<double>(values.system.spheres);
   const double components = spheres * values.system.dimension;
@@ -191,7 +191,7 @@ void add_output(const Case& values, Lines& lines) {
 template <int Dim>
 std::string text_in(const Case& values) {
   const auto box = box_of<Dim, double>(values);
-  Lines lines;
+  AlignedLines lines;
   add_box(values, box, lines);
   add_species(values, lines);
   add_start(values, box.sides()[0], lines);

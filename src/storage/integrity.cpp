@@ -101,7 +101,7 @@ std::string shown(const std::string& name) {
   return fmt::format("the attribute {} of /{}", name.substr(mark + 1), name.substr(0, mark));
 }
 
-[[noreturn]] void reject(const fs::path& path, const std::string& what) {
+[[noreturn]] void reject_damaged(const fs::path& path, const std::string& what) {
   throw InputError(fmt::format(
       "{}: is damaged ({}); take another copy of it, or run its case again", path.string(), what));
 }
@@ -118,12 +118,13 @@ void compare_all(const hdf5::Handle& file, const fs::path& path) {
   if (!has_list(file) && behind == 0) return;
   const auto changed = changed_values(file);
   if (changed.size() > 1) {
-    reject(path, fmt::format("{} and {} more are not what was written", shown(changed.front()),
-                             changed.size() - 1));
+    reject_damaged(path, fmt::format("{} and {} more are not what was written",
+                                     shown(changed.front()), changed.size() - 1));
   }
-  if (changed.size() == 1) reject(path, shown(changed.front()) + " is not what was written");
+  if (changed.size() == 1)
+    reject_damaged(path, shown(changed.front()) + " is not what was written");
   if (behind != 0) {
-    reject(path, "outside of its datasets and attributes, which are what was written");
+    reject_damaged(path, "outside of its datasets and attributes, which are what was written");
   }
 }
 
@@ -139,9 +140,9 @@ void examine(const fs::path& path) {
     if (!hdf5::contains(file, own_group)) return;
     compare_all(file, path);
   } catch (const hdf5::Error& error) {
-    reject(path, fmt::format("its checksums cannot be read, {}", error.what()));
+    reject_damaged(path, fmt::format("its checksums cannot be read, {}", error.what()));
   } catch (const SystemError& error) {
-    reject(path, fmt::format("it cannot be read, {}", error.what()));
+    reject_damaged(path, fmt::format("it cannot be read, {}", error.what()));
   }
 }
 

@@ -23,7 +23,7 @@ fs::path journal_beside(const fs::path& path) {
 
 /// Reads the journal of an output file, whose run may go on at the same time.
 template <class Action>
-auto reading(const fs::path& path, Action action) {
+auto reading_live(const fs::path& path, Action action) {
   try {
     return action();
   } catch (const std::runtime_error& error) {  // of the system, or nonsense in the file
@@ -42,7 +42,7 @@ RecordedRun::RecordedRun(const fs::path& path)
       stored_rows_(file_.info().logged_collisions) {
   std::error_code ignored;
   if (!file_.info().checkpoint || !fs::exists(journal_beside(path), ignored)) return;
-  reading(path, [&] { add_journal(); });
+  reading_live(path, [&] { add_journal(); });
 }
 
 /// Looks for what is newer than the output file, of which the part behind the checkpoint is then
@@ -85,7 +85,7 @@ Part RecordedRun::decoded(const JournalRecord& record) const {
 
 Snapshot RecordedRun::snapshot(std::int64_t n) const {
   if (n < stored_snapshots_) return file_.snapshot(n);
-  return reading(path_, [&] {
+  return reading_live(path_, [&] {
     auto snapshot =
         decoded<Snapshot>(snapshots_.at(static_cast<std::size_t>(n - stored_snapshots_)));
     const auto dimension = static_cast<std::size_t>(info().dimension);
@@ -112,7 +112,7 @@ std::vector<CollisionRow> RecordedRun::log_piece(std::int64_t n) const {
     const std::int64_t first = n * rows_at_once;
     return file_.rows(first, std::min(rows_at_once, stored_rows_ - first));
   }
-  return reading(path_, [&] {
+  return reading_live(path_, [&] {
     const auto rows =
         decoded<CollisionRows>(rows_.at(static_cast<std::size_t>(n - stored_pieces())));
     std::vector<CollisionRow> piece;

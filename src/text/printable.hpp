@@ -23,6 +23,16 @@ inline std::string printable(std::string_view text) {
   return result;
 }
 
+inline constexpr std::size_t longest_shown = 60;  ///< of the user's text in a message [bytes]
+
+/// A piece of the user's text as messages repeat it: cut where it would not fit on a line.
+inline std::string shortened(std::string_view text) {
+  if (text.size() <= longest_shown) return std::string(text);
+  std::size_t end = longest_shown;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // whole UTF-8
+  return std::string(text.substr(0, end)) + "...";
+}
+
 /// Whether a text is one line of printable ASCII, as the program's own are: fit for JSON too.
 inline bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });

@@ -9,7 +9,7 @@
 namespace zenosphere {
 namespace {
 
-const char* const kCooling = R"(
+const char* const cooling_everywhere = R"(
 [system]
 dimension = 2
 spheres = 4000
@@ -43,7 +43,7 @@ TEST(CoolingDisks, TemperatureFollowsHaffsLawForTenCollisionsPerDisk) {
   const double a2 = 16 * (1 - e) * (1 - 2 * e * e) / (57 - 25 * e + 30 * e * e * (1 - e));
   const double tau = 4 / ((1 - e * e) * omega * (1 + 3 * a2 / 16));
   for (const double time : {1.0, 2.5, 5.0}) {
-    const Summary run = test::run_text(kCooling, {"run.time=" + std::to_string(time)});
+    const Summary run = test::run_text(cooling_everywhere, {"run.time=" + std::to_string(time)});
     const double temperature = 1 - cooled_by(run, 2, density);
     const double expected = std::pow(1 + time / tau, -2);
     EXPECT_NEAR(temperature, expected, 0.01 * expected) << time;
@@ -63,9 +63,9 @@ TEST(CoolingRods, LoseEnergyAtFirstAsHaffSays) {
   const double omega = 2 * phi / (1 - phi) / std::sqrt(std::numbers::pi);
   const double tau = 2 / ((1 - e * e) * omega);
   const double time = 0.1 * tau;
-  const Summary run =
-      test::run_text(kCooling, {"system.dimension=1", "system.spheres=20000",
-                                "system.restitution=0.99", "run.time=" + std::to_string(time)});
+  const Summary run = test::run_text(
+      cooling_everywhere, {"system.dimension=1", "system.spheres=20000", "system.restitution=0.99",
+                           "run.time=" + std::to_string(time)});
   const double lost = cooled_by(run, 1, phi);
   const double expected = 1 - std::pow(1.1, -2);
   EXPECT_NEAR(lost, expected, 0.04 * expected);

@@ -49,7 +49,7 @@ Gas gas_of(const Mixture& mixture) {
 }
 
 /// Compares so many collisions with a new oracle, one by one.
-void expect_same_collisions(Gas& gas, int collisions, double tolerance) {
+void expect_those_of_all_pairs(Gas& gas, int collisions, double tolerance) {
   Oracle oracle(gas.box().sides(), gas.box().shear_rate(), gas.rules(), gas.configuration(),
                 gas.lees_edwards_offset());
   const Instant<double> start = gas.now();
@@ -84,7 +84,8 @@ TEST_P(MixtureEngine, AgreesWithTheOracleCollisionByCollision) {
   // light ones are deflected more, so that the oracle begins anew twice as often.
   Gas gas = gas_of(GetParam());
   for (int round = 0; round < GetParam().rounds; ++round) {
-    ASSERT_NO_FATAL_FAILURE(expect_same_collisions(gas, gas.spheres(), 1e-10)) << "round " << round;
+    ASSERT_NO_FATAL_FAILURE(expect_those_of_all_pairs(gas, gas.spheres(), 1e-10))
+        << "round " << round;
   }
 }
 

@@ -19,7 +19,7 @@ using support::Kind;
 using support::State;
 using support::Vector;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double solids_of(const std::vector<Kind>& kinds) {
   double volume = 0;
@@ -152,7 +152,7 @@ TEST(RoughGas, WithoutFrictionOrWithBetaOfMinusOneGivesTheSmoothDigits) {
 
 TEST(RoughGas, PerfectlyElasticKeepsItsEnergyAndSharesItEqually) {
   // e = 1, beta0 = 1, mu unbounded. Spins are at rest at first.
-  Watched run = cube_of({{500, 1, 1}}, 0.3, support::rough({1, 1, infinity}), 0, 0, 10);
+  Watched run = cube_of({{500, 1, 1}}, 0.3, support::rough({1, 1, unbounded}), 0, 0, 10);
   const double energy = support::energy(run.gas);
   run.go(250'000);
   EXPECT_NEAR(support::energy(run.gas) / energy, 1, 1e-12);
@@ -168,7 +168,7 @@ TEST(RoughGas, CoolsWithTheRatioOfTemperaturesOfTheory) {
   // eta = 0.4 x 1.5 / 2.8 = 0.2142857, A = 0.0475 + eta (1 - eta) = 0.2158673, B = eta^2/0.4 =
   // 0.1147959, C = (eta/0.4)(1 - eta/0.4) = 0.2487245; K = (A - C)/(2 B) = -0.1431111,
   // R = K + sqrt(K^2 + 1) = 0.8670771.
-  Watched run = cube_of({{2000, 1, 1}}, 0.05, support::rough({0.9, 0.5, infinity}));
+  Watched run = cube_of({{2000, 1, 1}}, 0.05, support::rough({0.9, 0.5, unbounded}));
   run.go(20'000);  // 20 a sphere: the ratio is reached after some five
   double ratio = 0;
   constexpr int samples = 20;

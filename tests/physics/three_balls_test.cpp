@@ -9,7 +9,7 @@
 namespace zenosphere {
 namespace {
 
-constexpr double kSide = 100;
+constexpr double wide_side = 100;
 
 /// Three balls along x at 0, 1 and 3 with speeds 1, 0 and 1/8; the middle one moves along the last
 /// axis with the speed `sideways`, the outer ones with half of that the other way.
@@ -23,7 +23,7 @@ Simulation<Dim, double> three_balls(double restitution, double sideways) {
   for (int ball = 0; ball < 3; ++ball) {
     Vec<Dim, double> position;
     for (int axis = 0; axis < Dim; ++axis) {
-      sides[axis] = kSide;
+      sides[axis] = wide_side;
       position[axis] = 50;
     }
     position[0] = along[ball];

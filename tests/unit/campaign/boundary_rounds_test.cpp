@@ -28,7 +28,7 @@ runs = 60
 collisions_per_sphere = 20
 )" + inline_case;
 
-std::string refusal(const std::string& part, const std::string& other) {
+std::string boundary_refusal(const std::string& part, const std::string& other) {
   try {
     parse_sweep(replaced(small_search, part, other), "s.toml");
   } catch (const InputError& error) {
@@ -83,31 +83,31 @@ TEST(BoundaryRequest, IsReadWithItsAxisLast) {
 }
 
 TEST(BoundaryRequest, EndsOfTheRangeMustBeValuesOfTheKey) {
-  EXPECT_EQ(refusal("to = 0.9", "to = 1.9"),
+  EXPECT_EQ(boundary_refusal("to = 0.9", "to = 1.9"),
             "s.toml:7:6: system.restitution = 1.9 (must be in [0, 1]; 1 is elastic)");
 }
 
 TEST(BoundaryRequest, WrongOnesAreRefusedWithWhatToDo) {
-  EXPECT_EQ(refusal("master_seed = 7", "seeds = 3"),
+  EXPECT_EQ(boundary_refusal("master_seed = 7", "seeds = 3"),
             "s.toml:3:2: boundary (a search decides how many runs it needs); remove sweep.seeds");
-  EXPECT_EQ(refusal("\"arrest\"", "\"arest\""),
+  EXPECT_EQ(boundary_refusal("\"arrest\"", "\"arest\""),
             "s.toml:5:13: boundary.criterion = \"arest\" (must be \"separation\" or \"arrest\")");
-  EXPECT_EQ(refusal("to = 0.9", "to = 0.1"),
+  EXPECT_EQ(boundary_refusal("to = 0.9", "to = 0.1"),
             "s.toml:7:6: boundary.to = 0.1 (must be > from = 0.1)");
-  EXPECT_EQ(refusal("resolution = 0.1", "resolution = 2"),
+  EXPECT_EQ(boundary_refusal("resolution = 0.1", "resolution = 2"),
             "s.toml:8:14: boundary.resolution = 2 (must be in [0.0008, 0.8], parts of the range)");
-  EXPECT_EQ(refusal("system.restitution", "system.restituton"),
+  EXPECT_EQ(boundary_refusal("system.restitution", "system.restituton"),
             "s.toml:4:8: boundary.axis = \"system.restituton\" (is no key of a case); did you mean "
             "\"system.restitution\"?");
-  EXPECT_EQ(refusal("system.restitution", "collision.overlap"),
+  EXPECT_EQ(boundary_refusal("system.restitution", "collision.overlap"),
             "s.toml:4:8: boundary.axis = \"collision.overlap\" (must be a key with a number, and "
             "not the seed)");
-  EXPECT_EQ(refusal("system.restitution", "system.solids_volume_fraction"),
+  EXPECT_EQ(boundary_refusal("system.restitution", "system.solids_volume_fraction"),
             "s.toml:4:8: boundary.axis = \"system.solids_volume_fraction\" (is under [axes] too); "
             "remove it there");
-  EXPECT_EQ(refusal("[0.2, 0.3]", "{ from = 0.1, to = 0.3, points = 1001 }"),
+  EXPECT_EQ(boundary_refusal("[0.2, 0.3]", "{ from = 0.1, to = 0.3, points = 1001 }"),
             "s.toml: 1001 points to search at (at most 1000); give fewer values");
-  EXPECT_EQ(refusal("resolution = 0.1\n", ""),
+  EXPECT_EQ(boundary_refusal("resolution = 0.1\n", ""),
             "s.toml:3:2: boundary (needs axis, criterion, from, to and resolution); add what is "
             "missing");
 }

@@ -14,7 +14,7 @@ using support::record;
 using Criterion = ArrestCriterion<3, double>;
 using Pair = Criterion::Pair;
 
-constexpr double kThreshold = 1e-16;
+constexpr double gap_threshold = 1e-16;
 constexpr double kTime = 0.5;
 
 /// Hands collisions to a criterion of window 8 that does not ask how often each pair has met,
@@ -28,7 +28,7 @@ class Arrest : public testing::Test {
     for (int n = 0; n < times; ++n) observe(pair);
   }
 
-  Criterion criterion{kThreshold, 8, 1.0, 0};
+  Criterion criterion{gap_threshold, 8, 1.0, 0};
   std::int64_t number = 0;
 };
 
@@ -89,7 +89,7 @@ TEST_F(Arrest, StartsAgainAfterAGapAboveTheThreshold) {
 
 TEST_F(Arrest, HoldsAtTheThresholdAndInOverlap) {
   observe({0, 1}, 1);  // the gap of the first one lies before the stretch
-  for (int n = 0; n < 4; ++n) observe({0, 1}, kThreshold);
+  for (int n = 0; n < 4; ++n) observe({0, 1}, gap_threshold);
   for (int n = 0; n < 4; ++n) observe({0, 1}, -1e-12);
   EXPECT_EQ(criterion.collision(), 9);
 }
@@ -146,7 +146,7 @@ TEST_F(Arrest, StaysAsItWasOnceMet) {
 
 TEST(ArrestCriterion, AsksThatThePairsHaveMetAHundredTimesEach) {
   // Three pairs in turn: 300 collisions after the first one, however short the window.
-  Criterion criterion(kThreshold, 8, 1.0);
+  Criterion criterion(gap_threshold, 8, 1.0);
   for (std::int64_t number = 1; !criterion.is_met() && number < 1000; ++number) {
     const auto i = static_cast<std::int32_t>(number % 3);
     criterion.observe(record(number, i, i + 1, 0, kTime));
@@ -156,7 +156,7 @@ TEST(ArrestCriterion, AsksThatThePairsHaveMetAHundredTimesEach) {
 }
 
 TEST(ArrestCriterion, OfALongWindowDoesNotDependOnHowOftenEachPairHasMet) {
-  Criterion criterion(kThreshold, 1000, 1.0);
+  Criterion criterion(gap_threshold, 1000, 1.0);
   for (std::int64_t number = 1; !criterion.is_met() && number < 2000; ++number) {
     const auto i = static_cast<std::int32_t>(number % 3);
     criterion.observe(record(number, i, i + 1, 0, kTime));
@@ -166,7 +166,7 @@ TEST(ArrestCriterion, OfALongWindowDoesNotDependOnHowOftenEachPairHasMet) {
 
 TEST(ArrestCriterion, TellsTimeAndWindow) {
   // Unit 0.5: at 4 units + 0.125 = 2.125.
-  Criterion criterion(kThreshold, 2, 0.5, 0);
+  Criterion criterion(gap_threshold, 2, 0.5, 0);
   EXPECT_EQ(criterion.window(), 2);
   for (std::int64_t number = 1; number <= 3; ++number) {
     auto collision = record(number, 0, 1, 0, 0.125);
@@ -183,7 +183,7 @@ TEST(ArrestCriterion, RefusesAnArrestInAnArchiveThatHasNoPairs) {
     ArchiveWriter writer;
     writer(std::int64_t{1}, std::int64_t{1}, Instant<double>{}, seen);
     writer(std::optional(std::int64_t{9}), std::optional(kTime), pairs);
-    Criterion criterion(kThreshold, 8, 1.0);
+    Criterion criterion(gap_threshold, 8, 1.0);
     ArchiveReader(writer.bytes())(criterion);
   };
   EXPECT_NO_THROW(read({{0, 1}}));

@@ -11,7 +11,7 @@ namespace zenosphere {
 namespace {
 
 using Spheres = std::vector<std::int32_t>;
-constexpr double kThreshold = 1e-16;
+constexpr double dissected_gap = 1e-16;
 
 /// Hands collisions to a dissector of 100 disks.
 class Dissecting : public testing::Test {
@@ -45,7 +45,7 @@ class Dissecting : public testing::Test {
     }
   }
 
-  Dissector<2, double> dissector{kThreshold, 100, 1.0, 0.05};
+  Dissector<2, double> dissector{dissected_gap, 100, 1.0, 0.05};
   std::int64_t number = 0;
 };
 
@@ -166,7 +166,7 @@ TEST_F(Dissecting, RefusesCollisionsInAnArchiveThatThereCannotBe) {
   const auto is_refused = [](const Dissector<2, double>& archived) {
     ArchiveWriter writer;
     writer(archived);
-    Dissector<2, double> read{kThreshold, 100, 1.0, 0.05};
+    Dissector<2, double> read{dissected_gap, 100, 1.0, 0.05};
     try {
       ArchiveReader(writer.bytes())(read);
     } catch (const ArchiveError&) {
@@ -177,7 +177,7 @@ TEST_F(Dissecting, RefusesCollisionsInAnArchiveThatThereCannotBe) {
   collide(98, 101, 1, 1, 0);  // off the upper wall
   EXPECT_FALSE(is_refused(dissector));
   for (const auto& [i, j] : {std::pair(2, 1), {3, 3}, {-1, 3}, {3, 102}, {100, 101}}) {
-    dissector = {kThreshold, 100, 1.0, 0.05};
+    dissector = {dissected_gap, 100, 1.0, 0.05};
     collide(i, j, 1, 1, 0);
     EXPECT_TRUE(is_refused(dissector));
   }
@@ -200,7 +200,7 @@ TEST_F(Dissecting, RefusesADissectionInAnArchiveThatThereCannotBe) {
   forged.clusters.clear();
   EXPECT_FALSE(is_possible(forged, 2, 100));
   ArchiveWriter writer;
-  writer(RecentCollisions<2, double>(kThreshold, 1.0), Anatomy{.hit = forged, .arrest = {}});
+  writer(RecentCollisions<2, double>(dissected_gap, 1.0), Anatomy{.hit = forged, .arrest = {}});
   ArchiveReader reader(writer.bytes());
   EXPECT_THROW(reader(dissector), ArchiveError);
 }
@@ -212,7 +212,7 @@ TEST_F(Dissecting, TakesNoHitBeforeTheFirstCollisionItHasSeen) {
 }
 
 TEST(RecentCollisions, KeepABoundedNumberBeforeAndSinceTheClockStopped) {
-  RecentCollisions<1, double> recent(kThreshold, 1.0);
+  RecentCollisions<1, double> recent(dissected_gap, 1.0);
   Collision<1, double> collision;
   collision.impact.normal_speed = 1;
   const auto observe = [&](double gap, double time) {

@@ -7,7 +7,7 @@
 namespace zenosphere {
 namespace {
 
-constexpr double limit = 100;
+constexpr double decades_looked_at = 100;
 
 ApproachEvidence singular_evidence() {
   ApproachEvidence evidence;
@@ -19,32 +19,32 @@ ApproachEvidence singular_evidence() {
 }
 
 TEST(Findings, SteadyFallOverTwentyDecadesWithDissipationIsSingular) {
-  EXPECT_EQ(judge(singular_evidence(), limit), Finding::singular);
+  EXPECT_EQ(judge(singular_evidence(), decades_looked_at), Finding::singular);
 }
 
 TEST(Findings, NothingElasticIsSingular) {
   auto evidence = singular_evidence();
   evidence.is_dissipative = false;
-  EXPECT_EQ(judge(evidence, limit), Finding::undecided);
+  EXPECT_EQ(judge(evidence, decades_looked_at), Finding::undecided);
 }
 
 TEST(Findings, FallWithoutAPeriodInWhichTheClockGoesOnIsUndecided) {
   auto evidence = singular_evidence();
   evidence.clock_ratio = 0.5;
-  EXPECT_EQ(judge(evidence, limit), Finding::undecided);
+  EXPECT_EQ(judge(evidence, decades_looked_at), Finding::undecided);
 }
 
 TEST(Findings, FallOverNineteenDecadesIsUndecided) {
   auto evidence = singular_evidence();
   evidence.approach.steady->decades = 19;
-  EXPECT_EQ(judge(evidence, limit), Finding::undecided);
+  EXPECT_EQ(judge(evidence, decades_looked_at), Finding::undecided);
 }
 
 TEST(Findings, GapsThatReopenWithDigitsToSpareAreANearCollapse) {
   auto evidence = singular_evidence();
   evidence.approach.is_spent = false;
   evidence.approach.reopened_to = 10;
-  EXPECT_EQ(judge(evidence, limit), Finding::near_collapse);
+  EXPECT_EQ(judge(evidence, decades_looked_at), Finding::near_collapse);
 }
 
 TEST(Findings, GapsThatReopenWhereTheDigitsEndAreUndecided) {
@@ -52,15 +52,15 @@ TEST(Findings, GapsThatReopenWhereTheDigitsEndAreUndecided) {
   evidence.approach.is_spent = false;
   evidence.approach.reopened_to = 10;
   evidence.approach.deepest = 98;
-  EXPECT_EQ(judge(evidence, limit), Finding::undecided);
+  EXPECT_EQ(judge(evidence, decades_looked_at), Finding::undecided);
   evidence.approach.deepest = 95;
-  EXPECT_EQ(judge(evidence, limit), Finding::near_collapse);
+  EXPECT_EQ(judge(evidence, decades_looked_at), Finding::near_collapse);
 }
 
 TEST(Findings, ZeroGapsThatHaveNotDecayedAreAnExactContact) {
   auto evidence = singular_evidence();
   evidence.approach.visited = 0;
-  EXPECT_EQ(judge(evidence, limit), Finding::exact_contact);
+  EXPECT_EQ(judge(evidence, decades_looked_at), Finding::exact_contact);
 }
 
 /// Durations x_n of rounds with x_n = a r^n + b s^n.
@@ -91,7 +91,7 @@ TEST(RoundRatios, NeedEightRounds) { EXPECT_FALSE(round_ratio(durations(1, 0.4, 
 TEST(Findings, WordWhoseRatioDriftsIsUndecided) {
   auto evidence = singular_evidence();
   evidence.ratio = RoundRatio{0.4, 1e-4, 2e-4};
-  EXPECT_EQ(judge(evidence, limit), Finding::undecided);
+  EXPECT_EQ(judge(evidence, decades_looked_at), Finding::undecided);
 }
 
 }  // namespace

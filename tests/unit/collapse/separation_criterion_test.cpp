@@ -8,11 +8,11 @@ namespace zenosphere {
 namespace {
 
 using support::record;
-using Criterion = SeparationCriterion<3, double>;
+using Separation = SeparationCriterion<3, double>;
 
 TEST(SeparationCriterion, IsMetAtTheCollisionBeforeTheOneThatWasSoClose) {
   // After collision 2, at time 0.2, the pair that collides next is 5e-17 apart.
-  Criterion criterion(1e-16, 1.0);
+  Separation criterion(1e-16, 1.0);
   criterion.observe(record(1, 0, 1, 0.5, 0.1));
   criterion.observe(record(2, 1, 2, 0.5, 0.2));
   EXPECT_FALSE(criterion.first_collision());
@@ -25,7 +25,7 @@ TEST(SeparationCriterion, IsMetAtTheCollisionBeforeTheOneThatWasSoClose) {
 }
 
 TEST(SeparationCriterion, IsNotMetBeforeTheFirstCollision) {
-  Criterion criterion(1e-16, 1.0);
+  Separation criterion(1e-16, 1.0);
   criterion.observe_next(0);  // where the run ends at a pair that touches
   EXPECT_EQ(criterion.hits(), 0);
   criterion.observe(record(1, 0, 1, 0, 0));
@@ -33,7 +33,7 @@ TEST(SeparationCriterion, IsNotMetBeforeTheFirstCollision) {
 }
 
 TEST(SeparationCriterion, TakesTheThresholdZeroAndOverlapsAsHits) {
-  Criterion criterion(1e-16, 1.0);
+  Separation criterion(1e-16, 1.0);
   criterion.observe(record(1, 0, 1, 1, 0.1));
   criterion.observe(record(2, 0, 1, 1e-16, 0.2));
   criterion.observe(record(3, 0, 1, 0, 0.3));
@@ -44,7 +44,7 @@ TEST(SeparationCriterion, TakesTheThresholdZeroAndOverlapsAsHits) {
 }
 
 TEST(SeparationCriterion, KeepsTheFirstHitAndFollowsTheLast) {
-  Criterion criterion(1e-16, 1.0);
+  Separation criterion(1e-16, 1.0);
   criterion.observe(record(1, 0, 1, 1, 0.125));
   criterion.observe(record(2, 0, 1, 0, 0.25));
   criterion.observe(record(3, 0, 1, 1, 0.5));
@@ -57,7 +57,7 @@ TEST(SeparationCriterion, KeepsTheFirstHitAndFollowsTheLast) {
 }
 
 TEST(SeparationCriterion, KeepsTheTimeOfTheLastHitAndTheLongestPauseBetweenTwo) {
-  Criterion criterion(1e-16, 1.0);
+  Separation criterion(1e-16, 1.0);
   EXPECT_FALSE(criterion.last_time());
   criterion.observe(record(1, 0, 1, 1, 0.125));
   criterion.observe(record(2, 0, 1, 0, 0.25));  // hit at 0.125
@@ -72,14 +72,14 @@ TEST(SeparationCriterion, KeepsTheTimeOfTheLastHitAndTheLongestPauseBetweenTwo) 
 
 TEST(SeparationCriterion, DoesNotCountAStartInContact) {
   // Before collision 1 there is no collision after which a pair could be close.
-  Criterion criterion(1e-16, 1.0);
+  Separation criterion(1e-16, 1.0);
   criterion.observe(record(1, 0, 1, 0, 0.1));
   EXPECT_EQ(criterion.hits(), 0);
 }
 
 TEST(SeparationCriterion, TellsTheTimeAcrossClockUnits) {
   // Unit 0.5: collision 1 at 3 units + 0.25 = 1.75.
-  Criterion criterion(1e-16, 0.5);
+  Separation criterion(1e-16, 0.5);
   auto collision = record(1, 0, 1, 1, 0.25);
   collision.time.units = 3;
   criterion.observe(collision);

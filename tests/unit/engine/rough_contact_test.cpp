@@ -16,7 +16,7 @@ constexpr int random_pairs = 1000;
 
 /// Two spheres of any size, mass and spin that touch, in the laboratory; sphere 0 in the middle.
 template <int Dim, class Real>
-struct Pair {
+struct RoughPair {
   Grains<Real> grains;
   Vec<Dim, Real> normal;
   std::vector<Vec<Dim, Real>> velocities;
@@ -32,9 +32,9 @@ Vec<Size, Real> random_vector(Dice& dice, double most) {
 }
 
 template <int Dim, class Real>
-Pair<Dim, Real> random_pair(Dice& dice, const Real& friction) {
+RoughPair<Dim, Real> random_pair(Dice& dice, const Real& friction) {
   using std::sqrt;
-  Pair<Dim, Real> pair;
+  RoughPair<Dim, Real> pair;
   for (int n = 0; n < 2; ++n) {
     pair.grains.diameters.push_back(Real(dice.between(0.2, 3)));
     pair.grains.masses.push_back(Real(dice.between(0.1, 10)));
@@ -53,19 +53,19 @@ Pair<Dim, Real> random_pair(Dice& dice, const Real& friction) {
 }
 
 template <int Dim, class Real>
-RelativeMotion<Dim, Real> motion_of(const Pair<Dim, Real>& pair) {
+RelativeMotion<Dim, Real> motion_of(const RoughPair<Dim, Real>& pair) {
   const Real sigma = pair.grains.radius(0) + pair.grains.radius(1);
   return {pair.normal * sigma, pair.velocities[1] - pair.velocities[0]};
 }
 
 template <int Dim, class Real>
-Real inertia_of(const Pair<Dim, Real>& pair, std::int32_t i) {
+Real inertia_of(const RoughPair<Dim, Real>& pair, std::int32_t i) {
   const Real radius = pair.grains.radius(i);
   return Real(solid_inertia<Dim>) * pair.grains.mass(i) * radius * radius;
 }
 
 template <int Dim, class Real>
-Real energy_of(const Pair<Dim, Real>& pair) {
+Real energy_of(const RoughPair<Dim, Real>& pair) {
   Real twice = 0;
   for (std::int32_t i = 0; i < 2; ++i) {
     const auto& spin = pair.spins[static_cast<std::size_t>(i)];
@@ -78,7 +78,7 @@ Real energy_of(const Pair<Dim, Real>& pair) {
 
 /// About the centre of sphere 0.
 template <int Dim, class Real>
-Spin<Dim, Real> angular_momentum_of(const Pair<Dim, Real>& pair) {
+Spin<Dim, Real> angular_momentum_of(const RoughPair<Dim, Real>& pair) {
   Spin<Dim, Real> sum =
       angular_impulse<Dim, Real>(motion_of(pair).dr, pair.velocities[1] * pair.grains.mass(1));
   for (std::int32_t i = 0; i < 2; ++i) {
@@ -89,7 +89,7 @@ Spin<Dim, Real> angular_momentum_of(const Pair<Dim, Real>& pair) {
 
 /// Velocity of the surface of sphere 1 relative to that of sphere 0 where they touch.
 template <int Dim, class Real>
-Vec<Dim, Real> surface_velocity(const Pair<Dim, Real>& pair) {
+Vec<Dim, Real> surface_velocity(const RoughPair<Dim, Real>& pair) {
   return pair.velocities[1] +
          turning_velocity<Dim, Real>(pair.spins[1], pair.normal * Real(-pair.grains.radius(1))) -
          pair.velocities[0] -
@@ -97,7 +97,7 @@ Vec<Dim, Real> surface_velocity(const Pair<Dim, Real>& pair) {
 }
 
 template <int Dim, class Real>
-Collision<Dim, Real> collide(Pair<Dim, Real>& pair) {
+Collision<Dim, Real> collide(RoughPair<Dim, Real>& pair) {
   ContactLaw<Dim, Real> law(pair.rules, 2, Real(1));
   Collision<Dim, Real> collision;
   collision.i = 0;
@@ -211,7 +211,7 @@ TYPED_TEST(RoughContact, SticksUpToTheBorderAndSlidesBeyondIt) {
   // m_t = q/(1 + q)/2, 1/7 for spheres and 1/6 for disks.
   const Real border = Real(1) / (Dim == 3 ? 7 : 6);
   for (const bool beyond : {false, true}) {
-    Pair<Dim, Real> pair;
+    RoughPair<Dim, Real> pair;
     pair.normal[0] = 1;
     pair.velocities.resize(2);
     pair.velocities[1][0] = -1;

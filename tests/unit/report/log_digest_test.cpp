@@ -11,7 +11,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-CollisionRow row(std::int64_t k, double gap, double speed, std::uint8_t flags = 0) {
+CollisionRow logged(std::int64_t k, double gap, double speed, std::uint8_t flags = 0) {
   return {.k = k,
           .time = 0.5 * static_cast<double>(k),
           .i = 1,
@@ -23,9 +23,9 @@ CollisionRow row(std::int64_t k, double gap, double speed, std::uint8_t flags = 
 
 TEST(LogDigest, ShortLogIsKeptRowByRow) {
   LogDigest digest(3);
-  digest.observe(row(1, 1e-3, 0.5));
-  digest.observe(row(2, -1e-16, 0.25, collision_flag::hit));
-  digest.observe(row(3, unknown, 0.125));
+  digest.observe(logged(1, 1e-3, 0.5));
+  digest.observe(logged(2, -1e-16, 0.25, collision_flag::hit));
+  digest.observe(logged(3, unknown, 0.125));
   const LogStretch& all = digest.stretch();
   EXPECT_EQ(all.width, 1);
   EXPECT_EQ(all.last, 3);
@@ -42,7 +42,7 @@ TEST(LogDigest, LongLogKeepsEveryExtremeAndCountsEveryHit) {
   for (std::int64_t k = 1; k <= rows; ++k) {
     const double gap = k == 40000 ? 1e-17 : k == 50000 ? 7.0 : k == 60000 ? unknown : 1e-3;
     const double speed = k == 30000 ? 1e-15 : k == 30001 ? 99.0 : 1.0;
-    CollisionRow next = row(k, gap, speed, k == 40000 ? collision_flag::hit : std::uint8_t{0});
+    CollisionRow next = logged(k, gap, speed, k == 40000 ? collision_flag::hit : std::uint8_t{0});
     if (k == 45000) next.time -= 0.5;  // the clock stands still, and then leaps
     digest.observe(next);
   }
@@ -64,15 +64,15 @@ TEST(LogDigest, LongLogKeepsEveryExtremeAndCountsEveryHit) {
 TEST(LogDigest, UnknownGapDoesNotHideAKnownOneInItsBin) {
   const std::int64_t rows = LogDigest::most_rows + 1;
   LogDigest digest(rows);
-  digest.observe(row(1, unknown, 1));
-  digest.observe(row(2, 1e-9, 1));
+  digest.observe(logged(1, unknown, 1));
+  digest.observe(logged(2, 1e-9, 1));
   EXPECT_EQ(digest.stretch().gap_low.front(), 1e-9);
   EXPECT_EQ(digest.stretch().gap_high.front(), 1e-9);
 }
 
 TEST(CloseUp, KeepsTheRowsAboutOneCollision) {
   CloseUp close_up(100'000);
-  for (std::int64_t k = 1; k <= 200'000; ++k) close_up.observe(row(k, 1e-3, 1));
+  for (std::int64_t k = 1; k <= 200'000; ++k) close_up.observe(logged(k, 1e-3, 1));
   const LogStretch& kept = close_up.stretch();
   EXPECT_EQ(kept.width, 1);
   EXPECT_EQ(kept.bins(), 4096U);
