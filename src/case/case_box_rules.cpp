@@ -170,7 +170,7 @@ Objection lattice_in_a_cuboid(const Case& values) {
 double least_fraction(const Case& values) {
   const int dimension = values.system.dimension;
   const double ratio = dimension == 1 ? 1 : values.system.aspect_ratio;
-  const double other = ratio < 1 ? longest_side : longest_side / ratio;
+  const double other = ratio < 1 ? largest_side : largest_side / ratio;
   double volume = ratio * other;
   for (int axis = 1; axis < dimension; ++axis) volume *= other;
   Case largest;
@@ -187,7 +187,7 @@ Objection box_too_long(const Case& values) {
   if (!(values.system.solids_volume_fraction < least)) return std::nullopt;
   constexpr double above_rounding = 1.006;  // of three digits
   return fmt::format("(a side of the box would be above {} diameters); use at least {:.3g}",
-                     longest_side, above_rounding * least);
+                     largest_side, above_rounding * least);
 }
 
 /// `the box side would be 1.9 diameters, must be above 2.02`

@@ -117,7 +117,7 @@ constexpr std::array key_table{
         [](Case& c) -> Slot { return &c.system.solids_volume_fraction; }, above_to(0, 1),
         &only_without_sides, "volume of the spheres / volume of the box"},
     Key{"system", "sides", optional, [](Case& c) -> Slot { return &c.system.sides; },
-        above_to(1, longest_side), nullptr, "of the box [diameters]"},
+        above_to(1, largest_side), nullptr, "of the box [diameters]"},
     Key{"system", "aspect_ratio", optional, [](Case& c) -> Slot { return &c.system.aspect_ratio; },
         above_to(0.01, 100, "for others give system.sides"), &only_in_a_proportion,
         "side of the box along x / each other side"},

@@ -159,10 +159,10 @@ void require_within_reach(const Case& values, const GivenStart& start, const std
     const double side = start.sides[at % components];
     const std::size_t i = at / components;
     if (closed != axis) {
-      if (std::abs(position) <= longest_side) continue;
+      if (std::abs(position) <= largest_side) continue;
       reject(where, fmt::format("sphere {} at {} is too far away to be wrapped into the box (|{}| "
                                 "<= {}); move it",
-                                i, place_of(start, i), axis_letter(axis), longest_side));
+                                i, place_of(start, i), axis_letter(axis), largest_side));
     }
     const double radius = start.grains.radius(static_cast<std::int32_t>(i));
     if (position >= radius - touching && position <= side - radius + touching) continue;
