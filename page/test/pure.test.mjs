@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { linearNames, logNames, logTicks } from "../src/plots/axes.js";
 import { bonds, Cell } from "../src/spheres/cell.js";
-import { grouped, pairName, power, short } from "../src/shared/format.js";
+import { grouped, pairName, power, short, uncertain } from "../src/shared/format.js";
 import { groupsOf, unwrapped } from "../src/spheres/groups.js";
+import { averageRows, curvesOf } from "../src/run/average_rows.js";
 import { Log, Stretch } from "../src/run/log.js";
 import { besideOutline } from "../src/spheres/names.js";
 import { pairsPlot } from "../src/plots/pairs_plot.js";
@@ -25,6 +26,17 @@ describe("numbers", () => {
     assert.equal(short(null), "\u2013");
     assert.equal(power(12), "10\u00b9\u00b2");
     assert.equal(grouped(1234567), "1\u202f234\u202f567");
+  });
+
+  test("carry their errors as physicists write them, as the program's texts do", () => {
+    assert.equal(uncertain(1.1394, 0.0021), "1.139(2)");
+    assert.equal(uncertain(1.1394, 0.0012), "1.1394(12)");
+    assert.equal(uncertain(-0.5, 0.04), "\u22120.50(4)");
+    assert.equal(uncertain(2.5e-7, 3e-9), "2.50(3)\u00b710\u207b\u2077");
+    assert.equal(uncertain(123456, 2000), "1.23(2)\u00b710\u2075");
+    assert.equal(uncertain(1.5, null), "1.5");
+    assert.equal(uncertain(1.5, 0), "1.5");
+    assert.equal(uncertain(null, null), "\u2013");
   });
 
   test("a partner beyond the spheres is a wall", () => {
@@ -520,5 +532,54 @@ describe("what is said", () => {
       ["arrest-pairs", "arrest-cluster", "arrest-clusters"],
     );
     assert.deepEqual(groups[0].spheres, [1, 2, 5, 6]);
+  });
+});
+
+describe("averages", () => {
+  test("have a row for each component, and none for what a run does not have", () => {
+    const averages = {
+      granular_temperature: 0.5,
+      temperature_diagonal: [0.4, 0.6],
+      pressure_tensor: [
+        [1, -2],
+        [-2, 3],
+      ],
+      sonine_a2: null,
+      standard_error: { granular_temperature: 0.02, temperature_diagonal: [0.01, null] },
+    };
+    const rows = averageRows(averages, 2);
+    assert.deepEqual(
+      rows.map(([name, value]) => `${name}: ${value}`),
+      [
+        "granular temperature T: 0.50(2)",
+        "component T_x: 0.400(10)",
+        "component T_y: 0.6",
+        "pressure tensor P_xx: 1",
+        "pressure tensor P_xy: \u22122",
+        "pressure tensor P_yx: \u22122",
+        "pressure tensor P_yy: 3",
+      ],
+    );
+  });
+
+  test("of a run that could not tell errors stand alone", () => {
+    const averages = { granular_temperature: 0.5, standard_error: { granular_temperature: null } };
+    assert.deepEqual(averageRows(averages, 3), [
+      ["granular temperature T", "0.5", "(diameter/time)\u00b2"],
+    ]);
+  });
+
+  test("are curves of the components that a series has", () => {
+    const series = { time: [1, 2], columns: { streak_modes: [1, 2, 3, 4], pressure: [5, 6] } };
+    const wanted = [
+      ["pressure", null, "p"],
+      ["streak_modes", 1, "(0, 1)"],
+      ["streak_modes", 2, "(1, 1)"],
+      ["shear_work", null, "none"],
+    ];
+    assert.deepEqual(curvesOf(series, wanted), [
+      { name: "p", values: [5, 6] },
+      { name: "(0, 1)", values: [2, 4] },
+    ]);
   });
 });

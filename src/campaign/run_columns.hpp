@@ -1,7 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <span>
-#include <string_view>
+#include <string>
 
 #include "campaign/database.hpp"
 #include "result/summary.hpp"
@@ -10,9 +11,9 @@ namespace zenosphere {
 
 /// A column of the table `run` that holds a part of what a run came to.
 struct ResultColumn {
-  std::string_view name;
-  std::string_view type;  ///< of SQLite
-  Cell (*cell)(const Summary&);
+  std::string name;
+  std::string type;  ///< of SQLite
+  std::function<Cell(const Summary&)> cell;
 };
 
 /// All of them, in the order of the table; docs/sweep-file.md tells their units.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "campaign/adjudication_columns.hpp"
+#include "campaign/run_columns.hpp"
 #include "model/errors.hpp"
 
 namespace zenosphere {
@@ -21,6 +22,13 @@ constexpr std::array<std::string_view, 4> request_columns{
 /// As a value of `[adjudicate]` that may be missing.
 std::string text_or_absent(const std::optional<std::int64_t>& number) {
   return number ? fmt::format("{}", *number) : "absent";
+}
+
+/// Adds a column to the table of runs, unless it is there.
+void add_column(Database& database, std::string_view name, std::string_view type) {
+  const auto known = database.integer(
+      fmt::format("SELECT COUNT(*) FROM pragma_table_info('run') WHERE name = '{}'", name));
+  if (known == 0) database.execute(fmt::format("ALTER TABLE run ADD COLUMN {} {}", name, type));
 }
 
 }  // namespace
@@ -83,12 +91,11 @@ std::map<std::string, std::string> settings(const std::optional<AdjudicationRequ
 void upgrade(Database& database, const StoredSweep& stored) {
   if (stored.format_version >= store_format_version) return;
   if (stored.format_version < first_with_adjudication) add_request_columns(database);
+  for (const ResultColumn& column : result_columns()) {
+    add_column(database, column.name, column.type);
+  }
   for (const AdjudicationColumn& column : adjudication_columns()) {
-    const bool is_there =
-        database.integer(fmt::format(
-            "SELECT COUNT(*) FROM pragma_table_info('run') WHERE name = '{}'", column.name)) > 0;
-    if (is_there) continue;
-    database.execute(fmt::format("ALTER TABLE run ADD COLUMN {} {}", column.name, column.type));
+    add_column(database, column.name, column.type);
   }
   database.execute(fmt::format("UPDATE sweep SET format_version = {}", store_format_version));
   database.execute(fmt::format("PRAGMA user_version = {}", store_format_version));

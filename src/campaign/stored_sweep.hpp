@@ -11,7 +11,7 @@
 namespace zenosphere {
 
 /// The format of a store, and the marks by which SQLite tells files of different programs.
-inline constexpr std::int64_t store_format_version = 3;
+inline constexpr std::int64_t store_format_version = 4;
 inline constexpr std::int64_t oldest_store_version = 1;           ///< without adjudications
 inline constexpr std::int64_t store_application_id = 0x5A454E4F;  // "ZENO"
 

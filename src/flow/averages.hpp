@@ -16,6 +16,7 @@ enum class Mean {
   over_time,        ///< their mean
   over_collisions,  ///< weighted with the collision rate
   over_thermal,     ///< weighted with the granular temperature
+  over_pressure,    ///< weighted with the pressure
   of_squares,       ///< the root of the mean square
 };
 
@@ -36,6 +37,11 @@ struct Observables {
   double normal_speed = 0;                     ///< mean closing speed of the collisions
   double other_work = 0;                       ///< of gravity, walls, kicks, per volume and time
   std::vector<double> wall_pressure{};         ///< on the lower and the upper wall; else empty
+  /// Under shear: (P_xx - P_yy)/pressure and, in three dimensions, (P_yy - P_zz)/pressure.
+  std::vector<double> normal_stress_differences{};
+  /// Second Sonine coefficient, 0 for Maxwellian velocities: sonine.hpp. Of spheres that are alike,
+  /// without walls; a mean over the ends of the intervals, NaN where there is none.
+  std::optional<double> sonine_a2{};
   std::vector<double> streak_modes{};  ///< amplitudes, root mean square, diameter/time: streaks.hpp
   std::optional<double> rotational_temperature{};  ///< mean of I w^2 over the axes; of spins
   std::vector<double> temperature_of_kind{};       ///< each, where there are several kinds
@@ -57,6 +63,9 @@ struct Observables {
     visit("normal_speed", self.normal_speed, number, Mean::over_collisions);
     visit("other_work", self.other_work, number, Mean::over_time);
     visit("wall_pressure", self.wall_pressure, Shape::row, Mean::over_time);
+    visit("normal_stress_differences", self.normal_stress_differences, Shape::row,
+          Mean::over_pressure);
+    visit("sonine_a2", self.sonine_a2, number, Mean::over_time);
     visit("streak_modes", self.streak_modes, Shape::row, Mean::of_squares);
     visit("rotational_temperature", self.rotational_temperature, number, Mean::over_time);
     visit("temperature_of_kind", self.temperature_of_kind, Shape::row, Mean::over_time);

@@ -36,6 +36,7 @@ Measurements<Dim, Real>::Measurements(const Simulation<Dim, Real>& simulation,
   sums_at_end_ = sums_;
   Observables shape = observables(sums_, sums_, Real(1), simulation);
   if (simulation.box().is_sheared()) shape.streak_modes.resize(count_of_streak_modes<Dim>());
+  if (grains.are_alike() && !simulation.box().closed_axis() && mobile_ > 1) shape.sonine_a2 = 0;
   series_ = ObservableSeries(shape, interval, simulation.spheres());
 }
 
@@ -109,6 +110,7 @@ void Measurements<Dim, Real>::end_intervals(ObservableSeries& series, Sums& sums
     add_flights_until(sums, end, simulation, collision);
     auto averages = observables(sums_at_end, sums, Real(series.interval()), simulation);
     averages.streak_modes = streaks;  // as they are now, a moment later
+    if (series.shape().sonine_a2) averages.sonine_a2 = sonine_a2_at(end, simulation, collision);
     series.add(averages, simulation.collisions() - (collision ? 1 : 0));
     sums_at_end = sums;
   }
@@ -226,20 +228,32 @@ void Measurements<Dim, Real>::add_flights_until(Sums& sums, const Instant<Real>&
                                                 const Collision<Dim, Real>* collision) const {
   const Real ahead = elapsed(end, simulation.now(), clock_unit_);
   for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
-    const bool has_collided = collision && (i == collision->i || i == collision->j);
-    Vector velocity =
-        has_collided ? velocity_before(i, *collision, simulation) : simulation.peculiar_velocity(i);
-    if constexpr (Dim > 1) velocity[0] += shear_rate_ * velocity[1] * ahead;
-    velocity -= acceleration_ * ahead;
+    const Vector velocity = velocity_at(ahead, i, collision, simulation);
     const Real duration = elapsed(flight_start_[static_cast<std::size_t>(i)], end, clock_unit_);
     if (!are_unlike_) {
       add_flight(sums, velocity, duration, duration);
     } else {
+      const bool has_collided = collision && (i == collision->i || i == collision->j);
       add_unlike_flight(sums, i, velocity,
                         spin_before(i, has_collided ? collision : nullptr, simulation), duration,
                         simulation);
     }
   }
+}
+
+/// Peculiar velocity on the flight that was under way a time `ahead` ago.
+///
+/// \param collision  the one just done, whose spheres have new velocities; or null
+template <int Dim, class Real>
+Vec<Dim, Real> Measurements<Dim, Real>::velocity_at(const Real& ahead, std::int32_t sphere,
+                                                    const Collision<Dim, Real>* collision,
+                                                    const Simulation<Dim, Real>& simulation) const {
+  const bool has_collided = collision && (sphere == collision->i || sphere == collision->j);
+  Vector velocity = has_collided ? velocity_before(sphere, *collision, simulation)
+                                 : simulation.peculiar_velocity(sphere);
+  if constexpr (Dim > 1) velocity[0] += shear_rate_ * velocity[1] * ahead;
+  velocity -= acceleration_ * ahead;
+  return velocity;
 }
 
 template <int Dim, class Real>
@@ -271,21 +285,6 @@ typename Measurements<Dim, Real>::Sums Measurements<Dim, Real>::sums_now(
   Sums sums = sums_;
   add_flights_until(sums, simulation.now(), simulation, nullptr);
   return sums;
-}
-
-template <int Dim, class Real>
-Real Measurements<Dim, Real>::kinetic_energy(const Simulation<Dim, Real>& simulation) const {
-  Real twice = 0;
-  for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
-    const Vector velocity = simulation.peculiar_velocity(i);
-    if (!are_unlike_) {
-      twice += dot(velocity, velocity);
-    } else if (!simulation.grains().is_immobile(i)) {
-      twice += dot(velocity, velocity) * simulation.grains().mass(i) +
-               twice_turning_energy(i, spin_before(i, nullptr, simulation), simulation);
-    }
-  }
-  return twice / 2;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Measurements<Dim, Real>;

@@ -140,6 +140,10 @@ class Measurements {
   void add_flights_until(Sums& sums, const Instant<Real>& end,
                          const Simulation<Dim, Real>& simulation,
                          const Collision<Dim, Real>* collision) const;
+  Vector velocity_at(const Real& ahead, std::int32_t sphere, const Collision<Dim, Real>* collision,
+                     const Simulation<Dim, Real>& simulation) const;
+  double sonine_a2_at(const Instant<Real>& end, const Simulation<Dim, Real>& simulation,
+                      const Collision<Dim, Real>* collision) const;
   Sums sums_now(const Simulation<Dim, Real>& simulation) const;
   Real shear_work(const Sums& sums) const;
   Real kinetic_energy(const Simulation<Dim, Real>& simulation) const;

@@ -5,6 +5,7 @@
 
 #include "flow/measurements.hpp"
 #include "flow/reliability.hpp"
+#include "flow/sonine.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
@@ -21,6 +22,20 @@ Real total_mass(const Grains<Real>& grains, std::int32_t spheres) {
   return sum;
 }
 
+/// (P_xx - P_yy)/p and, in three dimensions, (P_yy - P_zz)/p.
+///
+/// Source: Alam & Luding, Phys. Fluids 15 (2003) 2298.
+template <int Dim>
+std::vector<double> normal_stress_differences(const Observables& averages) {
+  std::vector<double> differences;
+  for (std::size_t a = 0; a + 1 < Dim; ++a) {
+    const double along = averages.pressure_tensor[a * (Dim + 1)];
+    const double next = averages.pressure_tensor[(a + 1) * (Dim + 1)];
+    differences.push_back((along - next) / averages.pressure);
+  }
+  return differences;
+}
+
 }  // namespace
 
 template <int Dim, class Real>
@@ -29,6 +44,21 @@ Real Measurements<Dim, Real>::shear_work(const Sums& sums) const {
   // Momentum along x handed over along y: row y of the tensor, which rotated contacts make uneven.
   const std::size_t yx = Dim > 1 ? Dim : 0;
   return -shear_rate_ * (sums.kinetic[yx] + sums.collisional[yx]);
+}
+
+template <int Dim, class Real>
+Real Measurements<Dim, Real>::kinetic_energy(const Simulation<Dim, Real>& simulation) const {
+  Real twice = 0;
+  for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
+    const Vector velocity = simulation.peculiar_velocity(i);
+    if (!are_unlike_) {
+      twice += dot(velocity, velocity);
+    } else if (!simulation.grains().is_immobile(i)) {
+      twice += dot(velocity, velocity) * simulation.grains().mass(i) +
+               twice_turning_energy(i, spin_before(i, nullptr, simulation), simulation);
+    }
+  }
+  return twice / 2;
 }
 
 template <int Dim, class Real>
@@ -92,11 +122,30 @@ std::optional<Averages> Measurements<Dim, Real>::averages_of_steady_state(
   const std::size_t first = first_steady(series);
   Observables last = observables(sums, sums_now(simulation), rest, simulation);
   last.streak_modes.resize(series.shape().streak_modes.size());
+  last.sonine_a2 = series.shape().sonine_a2;
   Averages averages{series.mean(first, last, static_cast<double>(rest))};
   averages.from_time = series.end_of(first);
   averages.to_time = simulation.time();
   add_reliability(averages, series, inertia(simulation));
   return averages;
+}
+
+/// Of all spheres, as they were at `end`.
+///
+/// \param collision  the one just done, after it; or null
+template <int Dim, class Real>
+double Measurements<Dim, Real>::sonine_a2_at(const Instant<Real>& end,
+                                             const Simulation<Dim, Real>& simulation,
+                                             const Collision<Dim, Real>* collision) const {
+  const Real ahead = elapsed(end, simulation.now(), clock_unit_);
+  std::vector<Vec<Dim, double>> velocities(static_cast<std::size_t>(simulation.spheres()));
+  for (std::int32_t i = 0; i < simulation.spheres(); ++i) {
+    const Vector velocity = velocity_at(ahead, i, collision, simulation);
+    for (int axis = 0; axis < Dim; ++axis) {
+      velocities[static_cast<std::size_t>(i)][axis] = static_cast<double>(velocity[axis]);
+    }
+  }
+  return second_sonine_coefficient<Dim>(velocities);
 }
 
 /// Of the mobile spheres.
@@ -145,6 +194,8 @@ Observables Measurements<Dim, Real>::observables(const Sums& before, const Sums&
       averages.pressure * static_cast<double>(volume / mobile) / averages.granular_temperature;
   averages.normal_speed =
       static_cast<double>((now.normal_speed - before.normal_speed) / collisions);
+  if (box.is_sheared())
+    averages.normal_stress_differences = normal_stress_differences<Dim>(averages);
   add_temperatures(averages, now, before, span);
   return averages;
 }
@@ -154,6 +205,9 @@ Observables Measurements<Dim, Real>::observables(const Sums& before, const Sums&
   template std::optional<Averages> Measurements<Dim, Real>::averages(const Simulation<Dim, Real>&) \
       const;                                                                                       \
   template ObservableSeries Measurements<Dim, Real>::series(const Simulation<Dim, Real>&) const;   \
+  template Real Measurements<Dim, Real>::kinetic_energy(const Simulation<Dim, Real>&) const;       \
+  template double Measurements<Dim, Real>::sonine_a2_at(                                           \
+      const Instant<Real>&, const Simulation<Dim, Real>&, const Collision<Dim, Real>*) const;      \
   template Observables Measurements<Dim, Real>::observables(const Sums&, const Sums&, const Real&, \
                                                             const Simulation<Dim, Real>&) const;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)

@@ -43,6 +43,7 @@ ObservableSeries::ObservableSeries(const Observables& prototype, double interval
                         if (columns_.back().name == "collision_rate") collision_rate_ = width_;
                         if (columns_.back().name == "granular_temperature")
                           granular_temperature_ = width_;
+                        if (columns_.back().name == "pressure") pressure_ = width_;
                         means_.insert(means_.end(), count, mean);
                         width_ += count;
                       });
@@ -51,6 +52,7 @@ ObservableSeries::ObservableSeries(const Observables& prototype, double interval
 double ObservableSeries::weight_of(Mean mean, const double* row) const {
   if (mean == Mean::over_collisions) return row[collision_rate_];
   if (mean == Mean::over_thermal) return row[granular_temperature_];
+  if (mean == Mean::over_pressure) return row[pressure_];
   return 1;
 }
 

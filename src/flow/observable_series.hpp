@@ -92,7 +92,8 @@ class ObservableSeries {
   Observables prototype_;
   std::vector<ObservableColumn> columns_;
   std::vector<Mean> means_;  ///< of each number of a row
-  std::size_t width_ = 0, collision_rate_ = 0, granular_temperature_ = 0;  ///< places of weights
+  std::size_t width_ = 0;
+  std::size_t collision_rate_ = 0, granular_temperature_ = 0, pressure_ = 0;  ///< that are weights
   std::int64_t spheres_ = 0;
   double interval_ = 0;
   std::vector<double> sums_;  ///< rows x width: averages times weights, which can be added

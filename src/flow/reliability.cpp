@@ -32,6 +32,12 @@ void add_errors(Averages& averages, const ObservableSeries& series, std::size_t 
   if (std::isfinite(fewest)) averages.blocks = static_cast<std::int64_t>(fewest);
 }
 
+/// What is taken at the ends of the intervals has no part in the span after the last of them.
+void add_sonine(Averages& averages, const ObservableSeries& series, std::size_t first) {
+  if (!series.shape().sonine_a2) return;
+  averages.sonine_a2 = first < series.rows() ? series.mean(first, {}, 0).sonine_a2 : std::nan("");
+}
+
 void add_streaks(Averages& averages, const ObservableSeries& series, std::size_t first,
                  const Inertia& inertia) {
   if (averages.streak_modes.empty() || first >= series.rows()) return;
@@ -48,6 +54,7 @@ void add_streaks(Averages& averages, const ObservableSeries& series, std::size_t
 void add_reliability(Averages& averages, const ObservableSeries& series, const Inertia& inertia) {
   const std::size_t first = first_from(series, averages.from_time);
   add_errors(averages, series, first);
+  add_sonine(averages, series, first);
   add_streaks(averages, series, first, inertia);
   const Steadiness found = steadiness(series, first, averages, inertia);
   averages.steady = found.steady;

@@ -33,6 +33,9 @@ std::string label(const ObservableColumn& column, std::size_t component, std::si
     return name + ' ' + axes[component / dimension] + axes[component % dimension];
   }
   if (name == "temperature diagonal") return std::string("temperature along ") + axes[component];
+  if (name == "normal stress differences") {
+    return "normal stress difference N" + std::to_string(component + 1);
+  }
   return column.count > 1 ? name + ' ' + std::to_string(component) : name;
 }
 

@@ -1,5 +1,10 @@
 #include "report/run_json.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
 #include "case/case_grains.hpp"
 #include "storage/info.hpp"
 #include "text/json.hpp"
@@ -100,6 +105,22 @@ Json json_of(const Frames& frames) {
           {"box_edges", frames.box_edges}};
 }
 
+/// A number with as many digits as a plot shows; null where it is not finite.
+Json short_number(double number) {
+  if (!std::isfinite(number)) return {};
+  return std::strtod(fmt::format("{:.7g}", number).c_str(), nullptr);
+}
+
+/// The end of each interval, and of each average its numbers, row after row.
+Json json_of(const RecordedSeries& series) {
+  Json columns = Json::object();
+  for (const RecordedSeries::Column& column : series.columns) {
+    Json& numbers = columns[column.name] = Json::array();
+    for (const double number : column.values) numbers.push_back(short_number(number));
+  }
+  return {{"time", series.time}, {"columns", columns}};
+}
+
 Json json_of(const std::vector<StretchName>& stretches) {
   Json json = Json::array();
   for (const auto& stretch : stretches) {
@@ -139,6 +160,7 @@ std::string run_json(const std::string& name, const RunFile& file, const Case& v
                   {"anatomy", {{"hit", json_of(anatomy.hit)}, {"arrest", json_of(anatomy.arrest)}}},
                   {"adjudication", parsed(file.adjudication())},
                   {"snapshots", json_of(frames)},
+                  {"series", json_of(file.series())},
                   {"log", json_of(stretches)},
                   {"pairs", json_of(pairs)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

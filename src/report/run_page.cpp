@@ -132,6 +132,7 @@ void read_everything(const std::filesystem::path& path) {
   const RunFile file(path);
   file.anatomy();
   file.adjudication();
+  file.series();
   RunDigest(file, case_of(path, file.info()), {}).read();
 }
 

@@ -75,6 +75,10 @@ class AverageLines {
       text += line(n == 0 ? "  tensor" : "",
                    row(&Observables::pressure_tensor, n * dimension, dimension));
     }
+    if (!a_.normal_stress_differences.empty()) {
+      text += line("  normal differences", row(&Observables::normal_stress_differences, 0,
+                                               a_.normal_stress_differences.size()));
+    }
     text += number("compressibility factor", &Observables::compressibility_factor, "");
     text += number("collision rate", &Observables::collision_rate, " per sphere and time");
     text += number("normal speed", &Observables::normal_speed, " diameter/time");
@@ -86,7 +90,8 @@ class AverageLines {
     if (!a_.wall_pressure.empty()) {
       text += line("wall pressure", row(&Observables::wall_pressure, 0, a_.wall_pressure.size()));
     }
-    return text + streak_line() + a_.steady_reason + (a_.steady_reason.empty() ? "" : "\n");
+    return text + sonine_line() + streak_line() + a_.steady_reason +
+           (a_.steady_reason.empty() ? "" : "\n");
   }
 
  private:
@@ -95,6 +100,11 @@ class AverageLines {
     return fmt::format("averages from time {:.6g} to {:.6g}, {}\n", a_.from_time, a_.to_time,
                        is_known ? "with standard errors: 1.23(4) is 1.23 +- 0.04"
                                 : "too short for standard errors");
+  }
+  std::string sonine_line() const {
+    if (!a_.sonine_a2 || std::isnan(*a_.sonine_a2)) return "";
+    return line("Sonine a2",
+                with_error(*a_.sonine_a2, errors_.sonine_a2.value_or(std::nan("")), 3));
   }
   std::string streak_line() const {
     if (!a_.streak_amplitude) return "";

@@ -53,6 +53,24 @@ def test_page_says_what_info_says(page, program):
     assert found["run"]["values"]["restitution_law"] == "constant"
 
 
+def test_page_has_the_series_of_the_run(program):
+    program("run", "case.toml", "--quiet", "-o", "out.h5", "--set", "run.collisions=20000")
+    program("report", "out.h5", "-o", "page.html")
+    series = blocks(program.folder / "page.html")["run"]["series"]
+    with h5py.File(program.folder / "out.h5") as file:
+        group = file["zenosphere/series"]
+        assert series["time"] == list(group["time"]) and len(series["time"]) > 16
+        assert set(series["columns"]) == set(group) - {"step", "time"}
+        for name, numbers in series["columns"].items():
+            recorded = np.ravel(group[name]["value"])
+            assert np.array(numbers, dtype=float) == pytest.approx(recorded, rel=1e-6, nan_ok=True)
+
+
+def test_page_of_a_run_that_was_too_short_for_a_series_has_none(page):
+    _, found = page
+    assert found["run"]["series"] == {"time": [], "columns": {}}
+
+
 def test_page_names_the_law_of_a_run_without_a_constant_restitution(program):
     program("run", "case.toml", "--quiet", "-o", "out.h5", "--set", "run.collisions=100", "--set",
             "collision.restitution_law=fixed-loss", "--set", "collision.energy_loss=0.1")

@@ -131,3 +131,11 @@ def test_stresses_are_unknown_without_averages_or_shear(summary, rate):
     found = stresses(summary, rate)
     assert found["shear_viscosity"]["value"] is None
     assert set(found["normal_stress_differences"].values()) == {None}
+
+
+def test_errors_of_normal_stress_differences_are_those_of_the_file():
+    averages = {"pressure_tensor": TENSOR, "pressure": 2.0, "standard_error": {
+        "pressure_tensor": [[0.3, 0.1, 0], [0.1, 0.4, 0], [0, 0, 0.3]],
+        "normal_stress_differences": [0.01, None]}}
+    found = stresses({"averages": averages}, 0.5)["normal_stress_differences"]
+    assert found["n1_standard_error"] == 0.01 and found["n2_standard_error"] is None

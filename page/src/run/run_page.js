@@ -1,5 +1,6 @@
 // The page of one run.
 import { anatomySection } from "./anatomy.js";
+import { averagesSection } from "./averages.js";
 import { collisionPlots, temperatureOverTime } from "../plots/collision_plots.js";
 import { column } from "../shared/data.js";
 import { button, element, section, table } from "../shared/dom.js";
@@ -34,6 +35,7 @@ export function runPage(root, run) {
     header(run),
     verdictSection(run),
     element("div", { class: "look" }, plots.box, spheres.box),
+    ...averagesSection(run),
     ...anatomySection(run),
     ...adjudicationSection(run),
     caseSection(run),

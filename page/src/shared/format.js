@@ -37,6 +37,23 @@ export function short(number, digits = 4) {
   return factor === "1" ? power(Number(exponent)) : `${factor}\u00b7${power(Number(exponent))}`;
 }
 
+/**
+ * A number with its standard error as physicists write it: 1.139(2) is 1.139 +- 0.002.
+ *
+ * The error has one digit, or two where the first is a 1; where none is known it is left out.
+ */
+export function uncertain(value, error) {
+  if (typeof value !== "number" || !(error > 0) || !Number.isFinite(error)) return short(value, 5);
+  const first = Math.floor(Math.log10(error));
+  const place = error / 10 ** first < 1.95 ? first - 1 : first;
+  const exponent = Math.floor(Math.log10(Math.max(Math.abs(value), error)));
+  const shift = exponent >= -4 && exponent < 6 && place <= 0 ? 0 : exponent;
+  const decimals = Math.max(shift - place, 0);
+  const units = Math.round(error / 10 ** (shift - decimals));
+  const digits = (value / 10 ** shift).toFixed(decimals).replace("-", MINUS);
+  return `${digits}(${units})${shift ? `\u00b7${power(shift)}` : ""}`;
+}
+
 /** A pair as 1–2; beyond the spheres are the walls. */
 export function pairName([i, j], spheres) {
   if (j < spheres) return `${i}${DASH}${j}`;

@@ -8,6 +8,8 @@ from ..csv_file import write_csv
 from ..drawing import words
 from ..drawing.pictures import PAGE_WIDTH, Pictures, made_folder, points
 from . import panels
+from .average_figures import draw_averages
+from .averages import average_rows
 from .findings import finding_rows
 from .maps import finding_maps, probability_maps
 from .slices import chosen_parts, slices
@@ -35,6 +37,9 @@ def draw_ensemble(ensemble, folder, x=None, y=None, pictures=Pictures()):
         write_csv(folder / "boundaries.csv", crossing_rows(ensemble, counts, parts.x))]
     if ensemble.has_findings:
         written.append(write_csv(folder / "findings.csv", finding_rows(ensemble, counts)))
+    averages = list(average_rows(ensemble))
+    if averages:
+        written.append(write_csv(folder / "averages.csv", averages))
     for number, part in enumerate(slices(ensemble, parts)):
         suffix = f"-{number + 1}" if parts.rest else ""
         for name, draw in FIGURES.items():
@@ -134,7 +139,13 @@ def _findings(part, pictures):
     return finding_maps(part, _findings_heading(part), pictures)
 
 
-FIGURES = {"probability": _probabilities, "map": _maps, "findings": _findings,
+def _averages(part, pictures):
+    """Averages with their errors; None where no run has any."""
+    remark = "; bars: standard error of the mean over the seeds"
+    return draw_averages(part, _heading(part, remark), figure_grid, _styles(part), pictures)
+
+
+FIGURES = {"averages": _averages, "probability": _probabilities, "map": _maps, "findings": _findings,
            "boundary": _boundaries, "run-length": _run_lengths}
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import InputError
+from .averages import Averages
 from .store import Counts, Ensemble
 
 USUAL = ("system.restitution", "system.solids_volume_fraction", "system.spheres")
@@ -28,6 +29,7 @@ class Slice:
     parts: Parts
     counts: Counts
     others: tuple  # (key, value) of the rest
+    averages: Averages  # the same with the seeds last
 
     def axis(self, name):
         """(key, values) of x, y or series; values (None,) where there is no such axis."""
@@ -82,7 +84,7 @@ def _position(ensemble, key):
 
 def slices(ensemble, parts, limit=None):
     """The ensemble at each point of the rest."""
-    counts = ensemble.counts(limit)
+    counts, averages = ensemble.counts(limit), ensemble.averages()
     shown = [place for place in (parts.x, parts.y, parts.series) if place is not None]
     for point in np.ndindex(*(len(ensemble.axes[place].values) for place in parts.rest)):
         index = [slice(None)] * len(ensemble.axes)
@@ -91,12 +93,14 @@ def slices(ensemble, parts, limit=None):
         order = np.argsort(np.argsort(shown))  # axes that are left, ascending -> x, y, series
         others = tuple((ensemble.axes[place].key, ensemble.axes[place].values[value])
                        for place, value in zip(parts.rest, point))
-        yield Slice(ensemble, parts, _arranged(counts.at(tuple(index)), order), others)
+        def arranged(array, index=tuple(index), order=order):
+            return _arranged(array[index], order)
+        yield Slice(ensemble, parts, counts.mapped(arranged), others, averages.mapped(arranged))
 
 
-def _arranged(counts, order):
-    """Counts over (x, y, series), with length 1 where there is no such axis."""
-    def arranged(array):
-        moved = np.transpose(array, order)
-        return moved.reshape(moved.shape + (1,) * (3 - moved.ndim))
-    return counts.mapped(arranged)
+def _arranged(array, order):
+    """An array over (x, y, series), with length 1 where there is no such axis; others stay last."""
+    seeds = range(len(order), array.ndim)
+    moved = np.transpose(array, (*order, *seeds))
+    return moved.reshape(moved.shape[:len(order)] + (1,) * (3 - len(order))
+                         + moved.shape[len(order):])

@@ -11,8 +11,9 @@ import numpy as np
 
 from ..errors import InputError
 from . import findings
+from .averages import QUANTITIES, Averages, read_averages
 
-FORMAT_VERSIONS = (1, 2, 3)  # 2 has the columns of [adjudicate], 3 that of the curvature too
+FORMAT_VERSIONS = (1, 2, 3, 4)  # 2 has the columns of [adjudicate], 3 the curvature, 4 errors
 CRITERIA = ("separation", "arrest", "false positive", "open")
 CONDITIONS = {  # SQL: the run met it, within :limit collisions per sphere
     "separation": "COALESCE(separation_first_collision * scale <= :limit, 0)",
@@ -100,6 +101,22 @@ class Ensemble:
         named = dict(zip(conditions, met))
         return Counts(runs, done, failed, {name: named.pop(name) for name in CRITERIA}, named)
 
+    def averages(self):
+        """What the runs measured; empty where the store has no columns for it."""
+        wanted = {column for quantity in QUANTITIES.values() for column in quantity.columns}
+        with closing(self._opened()) as store:
+            columns = [name for name, in store.execute("SELECT name FROM pragma_table_info('run')")
+                       if name in wanted | {"averages_steady"}]
+            if "granular_temperature" not in columns:
+                return Averages()
+            keys = [axis.key for axis in self.axes]
+            named = ", ".join(map(quoted, keys + columns))
+            rows = store.execute(f"SELECT {named}, replica FROM {SCALED} WHERE result = 'done'"
+                                 " AND arrest_met = 0")
+            names = [*keys, *columns, "replica"]
+            return read_averages((dict(zip(names, row)) for row in rows), columns, self.axes,
+                                 self.seeds)
+
     def boundaries(self):
         """Rows of the table `boundary` of an adaptive search as dicts; none for a grid."""
         with closing(self._opened()) as store:
@@ -133,7 +150,9 @@ class Ensemble:
         self.axes = tuple(Axis(key, _values(store, key, json.loads(text)))
                           for key, text in listed)
         self.longest = store.execute("SELECT MAX(collisions_per_sphere) FROM run").fetchone()[0]
-        self.rule = self._overlap_rule(store)
+        case = tomllib.loads(store.execute("SELECT base_case FROM sweep").fetchone()[0])
+        self.rule = self._overlap_rule(case)
+        self.shear_flow = self._shear_flow(case)
         self.has_findings = self._adjudicates(store) and _has_column(store, findings.COLUMN)
         self.has_margins = _has_column(store, findings.MARGIN)
 
@@ -143,12 +162,25 @@ class Ensemble:
         names = [column[0] for column in sweep.description]
         return dict(zip(names, sweep.fetchone())).get("adjudicate_seconds", 0) is not None
 
-    def _overlap_rule(self, store):
+    def _overlap_rule(self, case):
         """The rule that leaves or keeps the hits; None where it is an axis."""
         if any(axis.key == "collision.overlap" for axis in self.axes):
             return None
-        case = tomllib.loads(store.execute("SELECT base_case FROM sweep").fetchone()[0])
         return case.get("collision", {}).get("overlap", "rewind")  # the default of a case
+
+    def _shear_flow(self, case):
+        """None without shear; else solids_volume_fraction (None where it is an axis), and whether
+        kinetic theory of smooth inelastic spheres of one kind, at shear rate 1, is about it."""
+        drive, system = case.get("drive", {}), case.get("system", {})
+        if drive.get("kind") != "shear":
+            return None
+        collision = set(case.get("collision", {})) - {"overlap", "precision"}
+        varied = {axis.key for axis in self.axes} - {
+            "system.restitution", "system.solids_volume_fraction", "system.spheres"}
+        has_others = any(name in case for name in ("species", "contact", "polydispersity", "walls"))
+        is_simple = not (collision or varied or has_others) and drive.get("shear_rate") == 1
+        return {"solids_volume_fraction": system.get("solids_volume_fraction"),
+                "has_theory": is_simple and system.get("dimension") == 3}
 
     def _conditions(self):
         """Name -> SQL of what is counted among the runs that are done."""

@@ -6,95 +6,12 @@
 #include <fstream>
 #include <string>
 
-#include "../storage/temporary_folder.hpp"
-#include "campaign/adjudication_columns.hpp"
 #include "campaign/seeds.hpp"
 #include "model/errors.hpp"
-#include "sweep_texts.hpp"
+#include "store_fixture.hpp"
 
 namespace zenosphere {
 namespace {
-
-class SweepStoreTest : public testing::Test {
- protected:
-  std::string path() const { return (folder_.path / "s.sqlite").string(); }
-
-  /// Takes over the store with a sweep, which may extend it.
-  SweepStore store(const std::string& text = small_sweep) const {
-    return {path(), parse_sweep(text, "s.toml")};
-  }
-
-  /// All rows: run, point, replica, the two axes, status.
-  std::vector<std::string> rows() const {
-    Database database(path(), Database::Access::read);
-    Statement query = database.statement(
-        "SELECT run, point, replica, \"system.restitution\", \"system.solids_volume_fraction\", "
-        "status FROM run ORDER BY run");
-    std::vector<std::string> rows;
-    while (query.step()) {
-      std::string row = cell_text(query.cell(0));
-      for (int column = 1; column < 6; ++column) row += ' ' + cell_text(query.cell(column));
-      rows.push_back(row);
-    }
-    return rows;
-  }
-
-  /// status|collisions|finding|groups left out|error
-  std::string row_of(std::int64_t run) const {
-    Database database(path(), Database::Access::read);
-    return cell_text(database.value(
-        "SELECT status || '|' || collisions || '|' || coalesce(adjudication_finding, '') || '|' || "
-        "coalesce(adjudication_left_out, '') || '|' || coalesce(error, '') FROM run WHERE run = " +
-        std::to_string(run)));
-  }
-
-  /// Takes from the store what its first format did not have.
-  void make_first_format() const {
-    Database database(path(), Database::Access::write);
-    for (const AdjudicationColumn& column : adjudication_columns()) {
-      database.execute("ALTER TABLE run DROP COLUMN " + std::string(column.name));
-    }
-    for (const char* name : {"groups", "seconds", "up_to", "collisions"}) {
-      database.execute(std::string("ALTER TABLE sweep DROP COLUMN adjudicate_") + name);
-    }
-    database.execute("UPDATE sweep SET format_version = 1");
-    database.execute("PRAGMA user_version = 1");
-  }
-
-  std::string refusal(const std::string& text) const {
-    try {
-      store(text);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "accepted";
-  }
-
-  TemporaryFolder folder_;
-};
-
-Summary some_summary() {
-  Summary summary;
-  summary.outcome = "finished";
-  summary.verdict = "none";
-  summary.collisions = 320;
-  return summary;
-}
-
-const std::string judging_sweep = small_sweep + "[adjudicate]\ngroups = 1\n";
-
-Summary with_hits() {
-  Summary summary = some_summary();
-  summary.separation.hits = 2;
-  return summary;
-}
-
-AdjudicationResult some_findings() {
-  Adjudication found;
-  found.left_out = 7;
-  found.finding = Finding::singular;
-  return {.cells = adjudication_cells({found, 0.5})};
-}
 
 TEST_F(SweepStoreTest, HasARowForEveryRunWithTheReplicaOutermost) {
   store();
@@ -221,12 +138,6 @@ TEST_F(SweepStoreTest, IsNoFileOfAnotherProgram) {
   EXPECT_NE(refusal(small_sweep).find("is a database of another program"), std::string::npos);
 }
 
-TEST_F(SweepStoreTest, OfANewerFormatIsRefused) {
-  store();
-  Database(path(), Database::Access::write).execute("PRAGMA user_version = 4");
-  EXPECT_NE(refusal(small_sweep).find("is a store of format 4"), std::string::npos);
-}
-
 TEST_F(SweepStoreTest, KeepsFindingsBesideTheRun) {
   SweepStore opened = store(judging_sweep);
   opened.record({1, with_hits(), some_findings()});
@@ -286,40 +197,6 @@ TEST_F(SweepStoreTest, WithFindingsKeepsItsAdjudication) {
   EXPECT_NE(refusal(small_sweep).find("\n  [adjudicate] is absent (there in the store)"),
             std::string::npos);
   EXPECT_EQ(refusal(judging_sweep), "accepted");
-}
-
-TEST_F(SweepStoreTest, OfTheFirstFormatIsReadAndExtendedInPlace) {
-  {
-    SweepStore opened = store();
-    opened.record({1, with_hits()});
-    opened.commit();
-  }
-  make_first_format();
-  {
-    Database database(path(), Database::Access::read);
-    const StoredSweep old = stored_sweep(database);
-    EXPECT_EQ(run_counts(database, old).done, 1);
-    EXPECT_EQ(StoredRuns(database, old).run(1).run, 1);
-  }
-  SweepStore opened = store(judging_sweep);
-  EXPECT_EQ(opened.sweep().format_version, 3);
-  EXPECT_EQ(row_of(1), "done|320|||");
-  opened.record({1, Unchanged{}, some_findings()});
-  opened.commit();
-  EXPECT_EQ(row_of(1), "done|320|singular|7|");
-}
-
-TEST_F(SweepStoreTest, OfTheSecondFormatGetsTheColumnThatItLacks) {
-  store(judging_sweep);
-  {
-    Database database(path(), Database::Access::write);
-    database.execute("ALTER TABLE run DROP COLUMN adjudication_margin_per_decade");
-    database.execute("PRAGMA user_version = 2");
-  }
-  SweepStore opened = store(judging_sweep);
-  opened.record({1, with_hits(), some_findings()});
-  opened.commit();
-  EXPECT_EQ(row_of(1), "done|320|singular|7|");
 }
 
 TEST_F(SweepStoreTest, ThatIsDamagedIsRefused) {

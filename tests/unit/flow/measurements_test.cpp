@@ -76,6 +76,40 @@ TEST(Measurements, AverageFromAfterTimeOnly) {
   EXPECT_EQ(from_after.averages(after)->dissipation, 0);
 }
 
+// Four spheres fly apart along three axes, of mean 0; nothing else ever happens to them but one
+// head-on collision that swaps two velocities: a2 is the same at every time. <v^2> = 1.5, <v^4>
+// = 2.5; 9 independent components.
+TEST(Measurements, TakeTheSonineCoefficientAtTheEndsOfIntervals) {
+  Gas gas(Box({20, 20, 20}, 0),
+          {{{5, 10, 10}, {8, 10, 10}, {10, 2, 2}, {10, 6, 6}},
+           {{1, 0, 0}, {-1, 0, 0}, {0, std::sqrt(2.0), 0}, {0, -std::sqrt(2.0), 0}}},
+          {1.0});
+  Measurements<3, double> measurements(gas, 0, 0.25);
+  run(gas, measurements, 1.2);
+  ASSERT_EQ(gas.collisions(), 1);
+  const auto a2 = measurements.averages(gas)->sonine_a2;
+  ASSERT_TRUE(a2);
+  EXPECT_NEAR(*a2, 3.0 / 5 * 2.5 / (1.5 * 1.5) * 11 / 9 - 1, 1e-14);
+  EXPECT_EQ(measurements.series(gas).rows(), 4u);
+}
+
+// Peculiar velocities (-t, 1, 0) and opposite in shear of rate 1: at the end of the interval, 0.5,
+// both have the square 1.25, so <v^4> = <v^2>^2, with 3 independent components.
+TEST(Measurements, TakeTheSonineCoefficientOfThatMoment) {
+  Gas gas = free_flight(1);
+  Measurements<3, double> measurements(gas, 0, 0.5);
+  run(gas, measurements, 0.75);
+  EXPECT_NEAR(*measurements.averages(gas)->sonine_a2, 3.0 / 5 * 5 / 3 - 1, 1e-14);
+}
+
+TEST(Measurements, HaveNoSonineCoefficientBeforeTheFirstIntervalEnds) {
+  Gas gas = head_on(0.5);
+  Measurements<3, double> measurements(gas, 0);
+  run(gas, measurements, 1.5);
+  EXPECT_TRUE(std::isnan(measurements.averages(gas)->sonine_a2.value()));
+  EXPECT_TRUE(measurements.averages(gas)->normal_stress_differences.empty());
+}
+
 TEST(Measurements, HaveNoAverageOverAnEmptySpan) {
   Gas gas = head_on(0.5);
   Measurements<3, double> measurements(gas, 2);

@@ -54,6 +54,23 @@ TEST(ObservableSeries, WeighsWhatIsPerCollisionWithTheCollisions) {
   EXPECT_DOUBLE_EQ(with_the_rest.normal_speed, 2);
 }
 
+// Pressures 1 and 3: the stress differences 0.5 x 1 and 0.1 x 3 over the mean pressure 2 of both.
+TEST(ObservableSeries, WeighsNormalStressDifferencesWithThePressure) {
+  Observables first, second;
+  first.pressure = 1;
+  first.normal_stress_differences = {0.5, 0};
+  second.pressure = 3;
+  second.normal_stress_differences = {0.1, 0};
+  ObservableSeries series(first, 0.5, 10);
+  series.add(first, 100);
+  series.add(second, 200);
+  EXPECT_DOUBLE_EQ(series.mean(0, {}, 0).normal_stress_differences[0], (0.5 + 0.3) / 2 / 2);
+  const auto values = series.values(column(series, "normal_stress_differences"));
+  ASSERT_EQ(values.size(), 4u);
+  EXPECT_DOUBLE_EQ(values[0], 0.5);
+  EXPECT_DOUBLE_EQ(values[2], 0.1);
+}
+
 TEST(ObservableSeries, LinearisesAboutTheAverage) {
   auto series = series_of_ten_spheres();
   series.add(observables(1, 2, 5), 100);

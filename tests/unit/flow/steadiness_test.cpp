@@ -70,6 +70,23 @@ TEST(Steadiness, ATrendBeyondTheNoiseIsADrift) {
   EXPECT_NE(averages.steady_reason.find("rises"), std::string::npos) << averages.steady_reason;
 }
 
+TEST(Steadiness, ANormalStressDifferenceThatDriftsIsNamed) {
+  Observables flow = observables(1, {});
+  flow.pressure = 1;
+  flow.normal_stress_differences = {0.1, 0.0};
+  ObservableSeries series(flow, 1, 1000);
+  for (std::int64_t k = 0; k < 100; ++k) {
+    flow.normal_stress_differences[1] = 0.001 * static_cast<double>(k);
+    series.add(flow, 100'000 * k);
+  }
+  Averages averages{series.mean(0, {}, 0)};
+  add_reliability(averages, series, thousand);
+  EXPECT_EQ(averages.steady, false);
+  EXPECT_NE(averages.steady_reason.find("normal stress difference N2 rises from 0.0095 to 0.0895"),
+            std::string::npos)
+      << averages.steady_reason;
+}
+
 TEST(Steadiness, AFewIntervalsTellNothing) {
   const Averages averages = averages_of(15, noise(3));
   EXPECT_FALSE(averages.steady.has_value());

@@ -1,0 +1,1 @@
+"""Kinetic theory of sheared inelastic hard spheres, to compare measured averages with."""
