@@ -4,26 +4,12 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
 namespace zenosphere {
 
 using case_format::Value;
-
-Storage storage_of(const case_format::Key& key) {
-  Case untouched;
-  const auto storage = [](auto* slot) {
-    using Held = std::remove_pointer_t<decltype(slot)>;
-    constexpr bool is_real =
-        std::is_same_v<Held, double> || std::is_same_v<Held, std::optional<double>>;
-    constexpr bool is_count = (std::is_integral_v<Held> && !std::is_same_v<Held, bool>) ||
-                              std::is_same_v<Held, std::optional<std::int64_t>>;
-    return is_real ? Storage::real : is_count ? Storage::integer : Storage::text;
-  };
-  return std::visit(storage, key.slot(untouched));
-}
 
 std::vector<Value> numbers_of(const AxisRange& range, Storage storage) {
   std::vector<Value> numbers;
@@ -54,13 +40,6 @@ Value in_storage(Value value, Storage storage) {
 std::string column_text(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return case_format::full_text(value);
-}
-
-std::string override_of(const case_format::Key& key, const std::string& column) {
-  Case untouched;
-  const auto slot = key.slot(untouched);
-  const bool is_file_name = std::holds_alternative<std::string*>(slot);
-  return fmt::format("{}={}", key.path(), is_file_name ? case_format::in_quotes(column) : column);
 }
 
 }  // namespace zenosphere

@@ -6,17 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "campaign/axis_key.hpp"
 #include "case/case_entries.hpp"
 #include "case/case_problems.hpp"
-#include "case/case_table.hpp"
 
 namespace zenosphere {
-
-/// How a value of a key stands in the store.
-enum class Storage { integer, real, text };
-
-/// The storage of a key: counts are integers, numbers real, all else (words, arrays) text.
-Storage storage_of(const case_format::Key& key);
 
 /// One value of an axis, in the type of its key, and where it was written.
 struct AxisValue {
@@ -26,10 +20,10 @@ struct AxisValue {
 
 /// A key that a sweep varies.
 struct SweepAxis {
-  const case_format::Key* key = nullptr;
+  AxisKey key;
   std::vector<AxisValue> values;  ///< in the order of the sweep file, no two the same
 
-  std::string path() const { return key->path(); }
+  std::string path() const { return key.path(); }
   std::size_t size() const { return values.size(); }
 };
 
@@ -51,8 +45,5 @@ case_format::Value in_storage(case_format::Value value, Storage storage);
 
 /// The value as it stands in the store's column, in CSV and in an override.
 std::string column_text(const case_format::Value& value);
-
-/// The argument of `--set` that gives a key a value from the store.
-std::string override_of(const case_format::Key& key, const std::string& column);
 
 }  // namespace zenosphere

@@ -13,7 +13,6 @@
 
 namespace zenosphere {
 
-using case_format::Key;
 using case_format::Problems;
 using case_format::TreeNode;
 using case_format::Value;
@@ -23,23 +22,20 @@ namespace {
 /// The key of an axis as messages show it: `axes."system.restitution"`.
 std::string shown_path(const std::string& path) { return "axes." + case_format::key_text(path); }
 
-/// The key of the case that an axis is over, or null, which was told.
-const Key* key_of(const std::string& path, const TreeNode& node, Problems& problems) {
-  const std::size_t dot = std::min(path.find('.'), path.size());
-  const std::string table = path.substr(0, dot);
-  const std::string name = path.substr(std::min(dot + 1, path.size()));
-  const Key* key = case_format::key_named(table, name);
+/// The key of the case that an axis is over, or nothing, which was told.
+std::optional<AxisKey> key_of(const std::string& path, const TreeNode& node, Problems& problems) {
+  const auto key = AxisKey::named(path);
   if (!key) {
-    const Key* meant = case_format::nearest_key(table, name.empty() ? path : name);
+    const auto meant = AxisKey::nearest_path(path);
     problems.add(
         node.key_place,
         fmt::format("unknown key {} (an axis is over a key of the case){}", shown_path(path),
-                    meant ? fmt::format("; did you mean \"{}\"?", meant->path()) : ""));
+                    meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
   } else if (path == "start.seed") {
     problems.add(node.key_place,
                  "axes.\"start.seed\" (the seed of each run follows from sweep.master_seed and its "
                  "number); remove it and raise sweep.seeds");
-    return nullptr;
+    return std::nullopt;
   }
   return key;
 }
@@ -78,8 +74,8 @@ std::optional<AxisRange> range_of(const std::string& path, const TreeNode& node,
 }
 
 /// The values of an array or a range, in the type of the key.
-std::vector<AxisValue> values_of(const Key& key, const TreeNode& node, Problems& problems) {
-  const Storage storage = storage_of(key);
+std::vector<AxisValue> values_of(const AxisKey& key, const TreeNode& node, Problems& problems) {
+  const Storage storage = key.storage();
   const std::string path = key.path();
   std::vector<AxisValue> values;
   if (node.is_table) {
@@ -127,17 +123,31 @@ void check_values(const SweepAxis& axis, Problems& problems) {
 
 void add_axis(const std::string& path, const TreeNode& node, std::vector<SweepAxis>& axes,
               Problems& problems) {
-  const Key* key = key_of(path, node, problems);
+  const auto key = key_of(path, node, problems);
   if (!key) return;
-  const auto is_it = [&](const SweepAxis& axis) { return axis.key == key; };
+  const auto is_it = [&](const SweepAxis& axis) { return axis.key == *key; };
   if (std::any_of(axes.begin(), axes.end(), is_it)) {
     problems.add(node.key_place, shown_path(path) + " is given twice; remove one");
     return;
   }
-  SweepAxis axis{key, values_of(*key, node, problems)};
+  SweepAxis axis{*key, values_of(*key, node, problems)};
   if (axis.values.empty()) return;
   check_values(axis, problems);
   axes.push_back(std::move(axis));
+}
+
+/// Adds the axes in a node: of one below a table of the case, `[axes.species.heavy]`, each key.
+void add_axes(const std::string& path, const TreeNode& node, std::vector<SweepAxis>& axes,
+              Problems& problems) {
+  const std::string table = path.substr(0, path.find('.'));
+  const auto parts = std::count(path.begin(), path.end(), '.') + 1;
+  const bool is_of_case = case_format::is_table(table) || parts_of_path(table) > 2;
+  if (!node.is_table || !is_of_case || parts >= parts_of_path(table)) {
+    return add_axis(path, node, axes, problems);
+  }
+  for (const TreeNode& inner : node.children) {
+    add_axes(path + '.' + inner.name, inner, axes, problems);
+  }
 }
 
 }  // namespace
@@ -145,13 +155,7 @@ void add_axis(const std::string& path, const TreeNode& node, std::vector<SweepAx
 std::vector<SweepAxis> axes_of(const TreeNode& table, Problems& problems) {
   std::vector<SweepAxis> axes;
   for (const TreeNode& node : table.children) {
-    if (node.is_table && case_format::is_table(node.name)) {
-      for (const TreeNode& inner : node.children) {
-        add_axis(node.name + '.' + inner.name, inner, axes, problems);
-      }
-    } else {
-      add_axis(node.name, node, axes, problems);
-    }
+    add_axes(node.name, node, axes, problems);
   }
   if (axes.size() > most_axes) {
     problems.add(table.key_place,

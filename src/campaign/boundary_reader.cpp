@@ -12,7 +12,6 @@
 
 namespace zenosphere {
 
-using case_format::Key;
 using case_format::Problems;
 using case_format::TreeNode;
 
@@ -81,20 +80,17 @@ std::optional<WrongKey> objection(const BoundaryTable& told) {
   return std::nullopt;
 }
 
-/// The numeric key of that name that is no other axis, or null, which was told.
-const Key* key_of(const std::string& path, const case_format::Place& place,
-                  const std::vector<SweepAxis>& axes, Problems& problems) {
-  const std::size_t dot = std::min(path.find('.'), path.size());
-  const std::string table = path.substr(0, dot);
-  const std::string name = path.substr(std::min(dot + 1, path.size()));
-  const Key* key = case_format::key_named(table, name);
-  const auto is_it = [&](const SweepAxis& axis) { return axis.key == key; };
+/// The numeric key of that name that is no other axis, or nothing, which was told.
+std::optional<AxisKey> key_of(const std::string& path, const case_format::Place& place,
+                              const std::vector<SweepAxis>& axes, Problems& problems) {
+  const auto key = AxisKey::named(path);
+  const auto is_it = [&](const SweepAxis& axis) { return axis.key == *key; };
   std::string why;
   if (!key) {
-    const Key* meant = case_format::nearest_key(table, name.empty() ? path : name);
+    const auto meant = AxisKey::nearest_path(path);
     why = fmt::format("(is no key of a case){}",
-                      meant ? fmt::format("; did you mean \"{}\"?", meant->path()) : "");
-  } else if (storage_of(*key) == Storage::text || path == "start.seed") {
+                      meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
+  } else if (key->storage() == Storage::text || path == "start.seed") {
     why = "(must be a key with a number, and not the seed)";
   } else if (std::any_of(axes.begin(), axes.end(), is_it)) {
     why = "(is under [axes] too); remove it there";
@@ -103,7 +99,7 @@ const Key* key_of(const std::string& path, const case_format::Place& place,
   }
   problems.add(place, fmt::format("boundary.axis = {} {}",
                                   case_format::shown(case_format::Value(path)), why));
-  return nullptr;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -115,10 +111,10 @@ std::optional<BoundaryRequest> boundary_of(const TreeNode& table, std::vector<Sw
     problems.add(place_of(table, wrong->key), wrong->text);
     return std::nullopt;
   }
-  const Key* key = key_of(*told.axis, place_of(table, "axis"), axes, problems);
+  const auto key = key_of(*told.axis, place_of(table, "axis"), axes, problems);
   if (!key) return std::nullopt;
-  const Storage storage = storage_of(*key);
-  axes.push_back({key,
+  const Storage storage = key->storage();
+  axes.push_back({*key,
                   {{in_storage(*told.from, storage), place_of(table, "from")},
                    {in_storage(*told.to, storage), place_of(table, "to")}}});
   return BoundaryRequest{.criterion = *told.criterion == "arrest"

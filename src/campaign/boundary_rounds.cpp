@@ -18,8 +18,8 @@ std::vector<SweepAxis> other_axes(const Sweep& sweep) {
   return {sweep.axes.begin(), sweep.axes.end() - 1};
 }
 
-std::vector<const case_format::Key*> keys_of(const std::vector<SweepAxis>& axes) {
-  std::vector<const case_format::Key*> keys;
+std::vector<AxisKey> keys_of(const std::vector<SweepAxis>& axes) {
+  std::vector<AxisKey> keys;
   for (const SweepAxis& axis : axes) keys.push_back(axis.key);
   return keys;
 }
@@ -53,7 +53,7 @@ double number_in(const Cell& cell) {
 void create_boundary_table(Database& database, const Sweep& sweep) {
   std::string columns = "point INTEGER PRIMARY KEY";
   for (const SweepAxis& axis : other_axes(sweep)) {
-    columns += fmt::format(", \"{}\" {} NOT NULL", axis.path(), sqlite_type(storage_of(*axis.key)));
+    columns += fmt::format(", \"{}\" {} NOT NULL", axis.path(), sqlite_type(axis.key.storage()));
   }
   database.execute(fmt::format(
       "CREATE TABLE boundary ({}, axis TEXT NOT NULL, criterion TEXT NOT NULL, \"from\" REAL NOT "

@@ -46,8 +46,7 @@ class Findings {
       const SweepAxis& axis = sweep_.axes[n];
       const AxisValue& value = axis.values[coordinates[n]];
       const auto place = case_format::Place::in_override(value.place.text, value.place.order[1]);
-      entries.push_back(
-          {std::string(axis.key->table), std::string(axis.key->name), value.value, place, place});
+      entries.push_back({axis.key.table(), axis.key.name(), value.value, place, place});
     }
     return entries;
   }

@@ -41,7 +41,7 @@ class Rows {
 
  private:
   static Statement statement(Database& database, const Sweep& sweep) {
-    std::vector<const case_format::Key*> keys;
+    std::vector<AxisKey> keys;
     std::string marks;
     for (const SweepAxis& axis : sweep.axes) {
       keys.push_back(axis.key);
@@ -78,7 +78,7 @@ class Rows {
 
   /// Which number each point of the grid has in the store.
   void read_points(Database& database) {
-    std::vector<const case_format::Key*> keys;
+    std::vector<AxisKey> keys;
     std::vector<std::unordered_map<std::string, std::int64_t>> indices(sweep_.axes.size());
     for (std::size_t n = 0; n < sweep_.axes.size(); ++n) {
       keys.push_back(sweep_.axes[n].key);

@@ -81,7 +81,7 @@ std::vector<std::string> overrides_of(const Sweep& sweep, std::int64_t run) {
   const auto coordinates = coordinates_of(sweep.axes, run % sweep.points());
   for (std::size_t n = 0; n < coordinates.size(); ++n) {
     const SweepAxis& axis = sweep.axes[n];
-    overrides.push_back(override_of(*axis.key, column_text(axis.values[coordinates[n]].value)));
+    overrides.push_back(axis.key.override_of(column_text(axis.values[coordinates[n]].value)));
   }
   return overrides;
 }

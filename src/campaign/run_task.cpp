@@ -10,6 +10,7 @@
 #include "run/adjudicate.hpp"
 #include "run/run.hpp"
 #include "run/stopwatch.hpp"
+#include "start/start_species.hpp"
 
 namespace zenosphere {
 
@@ -81,9 +82,10 @@ std::optional<DoneRun> run_with_hits(const Outcome& outcome) {
 
 }  // namespace
 
-RunResult result_of(std::int64_t run, const Case& values, const RunRules& rules,
+RunResult result_of(std::int64_t run, const Case& told, const RunRules& rules,
                     const std::function<bool()>& is_cancelled) {
   try {
+    const Case values = with_species_of_start(told);
     RunResult result{run, Unchanged{}};
     if (!rules.done) result.outcome = outcome_of(values, rules.wall_seconds, is_cancelled);
     const auto done = rules.done ? rules.done : run_with_hits(result.outcome);

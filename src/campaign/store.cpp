@@ -19,8 +19,8 @@ namespace {
 /// A commit costs some tenths of a millisecond: as much as a tiny run.
 constexpr double seconds_between_commits = 0.1;
 
-std::vector<const case_format::Key*> keys_of(const StoredSweep& sweep) {
-  std::vector<const case_format::Key*> keys;
+std::vector<AxisKey> keys_of(const StoredSweep& sweep) {
+  std::vector<AxisKey> keys;
   for (const StoredAxis& axis : sweep.axes) keys.push_back(axis.key);
   return keys;
 }
@@ -117,8 +117,7 @@ RunTask StoredRuns::task_in_row(Statement& query) const {
   RunTask task{integer_in(query.cell(0), name_), {}};
   task.overrides.push_back(fmt::format("start.seed={}", integer_in(query.cell(1), name_)));
   for (std::size_t n = 0; n < keys_.size(); ++n) {
-    task.overrides.push_back(
-        override_of(*keys_[n], cell_text(query.cell(static_cast<int>(n) + 2))));
+    task.overrides.push_back(keys_[n].override_of(cell_text(query.cell(static_cast<int>(n) + 2))));
   }
   return task;
 }

@@ -49,7 +49,7 @@ class StoredRuns {
   [[noreturn]] void reject(std::int64_t number);
 
   std::string name_;
-  std::vector<const case_format::Key*> keys_;
+  std::vector<AxisKey> keys_;
   Statement pending_;
   Statement single_;
   Statement highest_;

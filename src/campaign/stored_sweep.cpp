@@ -16,8 +16,6 @@
 
 namespace zenosphere {
 
-using case_format::Key;
-
 std::string_view sqlite_type(Storage storage) {
   switch (storage) {
     case Storage::integer:
@@ -37,7 +35,7 @@ std::string run_table(const std::vector<SweepAxis>& axes) {
       "CREATE TABLE run (run INTEGER PRIMARY KEY, point INTEGER NOT NULL, replica INTEGER NOT "
       "NULL, seed INTEGER NOT NULL";
   for (const SweepAxis& axis : axes) {
-    sql += fmt::format(", \"{}\" {} NOT NULL", axis.path(), sqlite_type(storage_of(*axis.key)));
+    sql += fmt::format(", \"{}\" {} NOT NULL", axis.path(), sqlite_type(axis.key.storage()));
   }
   sql += ", status TEXT NOT NULL, error TEXT";
   for (const ResultColumn& column : result_columns()) {
@@ -92,11 +90,9 @@ std::vector<StoredAxis> stored_axes(Database& database) {
   Statement query = database.statement("SELECT key, \"values\" FROM axis ORDER BY position");
   while (query.step()) {
     const std::string path = text_in(query.cell(0), database.name());
-    const std::size_t dot = std::min(path.find('.'), path.size());
-    const Key* key =
-        case_format::key_named(path.substr(0, dot), path.substr(std::min(dot + 1, path.size())));
+    const auto key = AxisKey::named(path);
     if (!key) reject_damaged(database.name(), "an axis that is no key of a case");
-    axes.push_back({key, values_in(text_in(query.cell(1), database.name()), database.name())});
+    axes.push_back({*key, values_in(text_in(query.cell(1), database.name()), database.name())});
   }
   return axes;
 }
@@ -157,7 +153,7 @@ std::vector<std::string> differences(const StoredSweep& stored, const Sweep& swe
     compare(settings(stored.adjudicate), settings(sweep.adjudicate), lines);
   }
   const std::string before =
-      list_of(stored.axes, [](const StoredAxis& axis) { return axis.key->path(); });
+      list_of(stored.axes, [](const StoredAxis& axis) { return axis.key.path(); });
   const std::string now = list_of(sweep.axes, [](const SweepAxis& axis) { return axis.path(); });
   if (before != now) {
     lines.push_back(fmt::format("the axes are {} ({} in the store)", now, before));
@@ -196,9 +192,9 @@ std::vector<std::string> json_values(const SweepAxis& axis) {
   return values;
 }
 
-std::string axis_columns(const std::vector<const Key*>& keys) {
+std::string axis_columns(const std::vector<AxisKey>& keys) {
   std::string text;
-  for (const Key* key : keys) text += fmt::format(", \"{}\"", key->path());
+  for (const AxisKey& key : keys) text += fmt::format(", \"{}\"", key.path());
   return text;
 }
 

@@ -17,7 +17,7 @@ inline constexpr std::int64_t store_application_id = 0x5A454E4F;  // "ZENO"
 
 /// An axis as a store has it.
 struct StoredAxis {
-  const case_format::Key* key = nullptr;
+  AxisKey key;
   std::vector<std::string> values;  ///< as JSON, `0.2` or `"rewind"`
 };
 
@@ -60,6 +60,6 @@ std::vector<std::string> json_values(const SweepAxis& axis);
 void require_same(const StoredSweep& stored, const Sweep& sweep, const std::string& name);
 
 /// The names of the axis columns, quoted, each with a comma and a space before it.
-std::string axis_columns(const std::vector<const case_format::Key*>& keys);
+std::string axis_columns(const std::vector<AxisKey>& keys);
 
 }  // namespace zenosphere

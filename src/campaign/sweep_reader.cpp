@@ -7,6 +7,7 @@
 
 #include "campaign/adjudication_reader.hpp"
 #include "campaign/axis_reader.hpp"
+#include "campaign/base_text.hpp"
 #include "campaign/boundary_reader.hpp"
 #include "campaign/grid_check.hpp"
 #include "campaign/sweep.hpp"
@@ -147,25 +148,23 @@ void make_files_absolute(std::vector<SweepAxis>& axes, const std::string& base) 
   }
 }
 
-/// The base case as a text that stands for itself: no comments, no seed, no key of an axis, and
-/// absolute names of files.
-std::string base_text_of(const CaseTemplate& base, const std::vector<SweepAxis>& axes) {
-  std::string text;
-  for (const case_format::Entry& entry : base.entries()) {
-    if (std::holds_alternative<case_format::TableHead>(entry.value)) {
-      text += fmt::format("[{}]\n", entry.key());
-      continue;
-    }
-    const auto is_over_it = [&](const SweepAxis& axis) { return axis.path() == entry.key(); };
-    const bool is_varied = std::any_of(axes.begin(), axes.end(), is_over_it);
-    if (is_varied || entry.key() == "start.seed") continue;
-    case_format::Value value = entry.value;
-    auto* file = std::get_if<std::string>(&value);
-    if (file && entry.key() == "start.file") *file = absolute_from(base.name(), *file);
-    text +=
-        fmt::format("{} = {}\n", case_format::key_text(entry.name), case_format::full_text(value));
+/// Axes over a species or a contact that the base case does not have.
+void require_items(const std::vector<SweepAxis>& axes, const CaseTemplate& base) {
+  Problems problems;
+  for (const SweepAxis& axis : axes) {
+    const std::string table = axis.key.table();
+    if (parts_of_path(table) == 2) continue;
+    const std::string label = axis.key.name().substr(0, axis.key.name().rfind('.'));
+    const std::string head = label + (table == "species" ? ".name" : ".between");
+    const auto is_it = [&](const auto& entry) {
+      return entry.table == table && entry.name == head;
+    };
+    if (std::any_of(base.entries().begin(), base.entries().end(), is_it)) continue;
+    problems.add(axis.values.front().place,
+                 fmt::format("axes.\"{}\" (the base case has no [[{}]] {}); use a name that it has",
+                             axis.path(), table, label));
   }
-  return text;
+  problems.throw_if_any();
 }
 
 }  // namespace
@@ -186,6 +185,7 @@ Sweep parse_sweep(std::string text, const std::string& name) {
   problems.throw_if_any();
   CaseTemplate base = base_of(told, text, name);
   make_files_absolute(told.axes, base.name());
+  require_items(told.axes, base);
   std::string base_text = base_text_of(base, told.axes);
   Sweep sweep{.name = name,
               .text = std::move(text),

@@ -75,12 +75,13 @@ struct Collapse {
 };
 
 std::optional<Collapse> proven_collapse(const Row& row, const RowState& state,
-                                        const Rational& restitution) {
+                                        const Rational& restitution,
+                                        const std::vector<Integer>& masses) {
   // Where small eigenvalues are complex, a few rounds at once shrink in every direction.
   for (const int repeats : {1, 2, 4, 8}) {
     std::vector<int> word;
     for (int k = 0; k < repeats; ++k) word.insert(word.end(), row.word.begin(), row.word.end());
-    RoundOfContacts round(word, static_cast<int>(row.letters.size()), restitution);
+    RoundOfContacts round(word, static_cast<int>(row.letters.size()), restitution, masses);
     const auto slopes = InvariantCone::around(state.u, round.map());
     const auto pairs = InvariantCone::around(state.pairs(), round.map_of_pairs());
     if (!slopes || !pairs || !round.holds_in(*slopes, *pairs)) continue;
@@ -129,7 +130,9 @@ std::vector<int> spheres_of(const ExactRods& rods, const Row& row) {
 
 std::optional<Certificate> proof(const ExactRods& rods, const Row& row, const RodLimits& limits) {
   const RowState state = state_of(rods, row);
-  const auto collapse = proven_collapse(row, state, rods.restitution());
+  const auto collapse =
+      proven_collapse(row, state, rods.restitution(),
+                      rods.masses_from(row.letters.front(), row.letters.size() + 1));
   if (!collapse) return std::nullopt;
   Enclosure end = collapse->end_after(state);
   const long rounds = rounds_for(*collapse, end.upper - end.lower, limits);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "model/errors.hpp"
@@ -61,6 +62,42 @@ Integer times(const Rational& value, const Integer& scale) {
   return Integer(scale / value.get_den()) * value.get_num();
 }
 
+/// A number that is not below the root of one that is not negative.
+Rational root_above(const Rational& value) {
+  Rational root(Integer(sqrt(Integer(value.get_num() * value.get_den()))) + 1, value.get_den());
+  root.canonicalize();
+  return root;
+}
+
+/// Positive numbers, one for each rod; 1 where none are told.
+std::vector<Rational> sizes(const std::vector<std::string>& texts, std::size_t rods,
+                            const std::string& name) {
+  if (texts.empty()) return std::vector<Rational>(rods, Rational(1));
+  const std::vector<Rational> values = numbers(texts);
+  const auto is_positive = [](const Rational& value) { return value > 0; };
+  if (values.size() != rods || !std::all_of(values.begin(), values.end(), is_positive)) {
+    throw InputError("exact rods: " + name + " (needs a number > 0 for each rod)");
+  }
+  return values;
+}
+
+/// Twice the speed, relative to the centre of mass, that the lightest rod would have with all the
+/// energy: collisions take none of the momentum and add no energy.
+Rational largest_difference(const std::vector<Rational>& v, const std::vector<Rational>& m) {
+  Rational mass, momentum, energy;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    mass += m[i];
+    momentum += m[i] * v[i];
+    energy += m[i] * v[i] * v[i];
+  }
+  energy -= momentum * momentum / mass;
+  return 2 * root_above(energy / *std::min_element(m.begin(), m.end()));
+}
+
+bool are_equal(const std::vector<Rational>& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
+}
+
 }  // namespace
 
 ExactRods::ExactRods(const RodsStart& start)
@@ -79,6 +116,8 @@ ExactRods::ExactRods(const RodsStart& start)
 void ExactRods::place(const RodsStart& start) {
   const std::vector<Rational> x = numbers(start.positions);
   const std::vector<Rational> v = numbers(start.velocities);
+  const std::vector<Rational> lengths = sizes(start.lengths, x.size(), "lengths");
+  const std::vector<Rational> masses = sizes(start.masses, x.size(), "masses");
   order_.resize(x.size());
   std::iota(order_.begin(), order_.end(), 0);
   std::sort(order_.begin(), order_.end(), [&x](int a, int b) { return x[a] < x[b]; });
@@ -89,7 +128,7 @@ void ExactRods::place(const RodsStart& start) {
     const int left = order_[i];
     const int right = order_[(i + 1) % x.size()];
     const Rational around = i + 1 == x.size() ? exact_number(start.period) : Rational(0);
-    gaps.push_back(x[right] + around - x[left] - 1);
+    gaps.push_back(x[right] + around - x[left] - (lengths[left] + lengths[right]) / 2);
     slopes.push_back(v[right] - v[left]);
     if (gaps.back() < 0) {
       throw InputError("exact rods: rods " + std::to_string(left) + " and " +
@@ -101,6 +140,18 @@ void ExactRods::place(const RodsStart& start) {
   for (const Rational& slope : slopes) u_.push_back(times(slope, scale_));
   const auto [least, greatest] = std::minmax_element(v.begin(), v.end());
   velocity_range_ = *greatest - *least;
+  if (are_equal(masses)) return;
+  const Integer scale = common_denominator(masses, 1);
+  for (const int rod : order_) masses_.push_back(times(masses[rod], scale));
+  velocity_range_ = largest_difference(v, masses);
+}
+
+std::vector<Integer> ExactRods::masses_from(int place, std::size_t count) const {
+  std::vector<Integer> masses;
+  for (std::size_t n = 0; n < count && !masses_.empty(); ++n) {
+    masses.push_back(masses_[(static_cast<std::size_t>(place) + n) % masses_.size()]);
+  }
+  return masses;
 }
 
 std::vector<int> ExactRods::neighbours(int letter) const {
@@ -146,10 +197,34 @@ ExactRods::Event ExactRods::next_event() {
 }
 
 void ExactRods::collide(int letter) {
-  const std::vector<int> beside = neighbours(letter);
-  collide_letters(c_, letter, beside, restitution_);
-  collide_letters(u_, letter, beside, restitution_);
-  scale_ *= 2 * restitution_.get_den();
+  Integer left = 1;
+  Integer right = 1;
+  if (const std::vector<Integer> pair = masses_from(letter, 2); !pair.empty()) {
+    const Integer common = gcd(pair[0], pair[1]);
+    left = pair[0] / common;
+    right = pair[1] / common;
+  }
+  collide_letters(c_, letter, left, right);
+  collide_letters(u_, letter, left, right);
+  scale_ *= (left + right) * restitution_.get_den();
+}
+
+/// Times one positive integer, c and u after a contact of rods of these masses, whole numbers.
+void ExactRods::collide_letters(std::vector<Integer>& values, int letter, const Integer& left,
+                                const Integer& right) const {
+  const Integer p = restitution_.get_num();
+  const Integer q = restitution_.get_den();
+  const Integer both = left + right;
+  const Integer at = values[letter];
+  for (Integer& value : values) value *= both * q;
+  // Gap letter - 1 ends at the left rod, which the right one pushes.
+  if (is_periodic_ || letter > 0) {
+    values[(letter + letters() - 1) % letters()] += (p + q) * right * at;
+  }
+  if (is_periodic_ || letter + 1 < letters()) {
+    values[(letter + 1) % letters()] += (p + q) * left * at;
+  }
+  values[letter] = -p * both * at;
 }
 
 Rational ExactRods::now() const {
@@ -163,15 +238,5 @@ bool ExactRods::is_after(const Rational& time) const {
 }
 
 Rational ExactRods::gap(int letter) const { return (c_[letter] + now() * u_[letter]) / scale_; }
-
-void collide_letters(std::vector<Integer>& values, int letter, const std::vector<int>& neighbours,
-                     const Rational& restitution) {
-  const Integer p = restitution.get_num();
-  const Integer q = restitution.get_den();
-  const Integer at = values[letter];
-  for (Integer& value : values) value *= 2 * q;
-  for (const int i : neighbours) values[i] += (p + q) * at;
-  values[letter] = -2 * p * at;
-}
 
 }  // namespace zenosphere

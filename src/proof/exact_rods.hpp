@@ -7,12 +7,14 @@
 
 namespace zenosphere {
 
-/// Equal rods of length 1 on a line, each number as a text that means it exactly.
+/// Rods on a line, each number as a text that means it exactly.
 struct RodsStart {
   std::vector<std::string> positions;   ///< of the centres, in diameters; in any order
   std::vector<std::string> velocities;  ///< diameter/time
   std::string restitution;              ///< in [0, 1]
   std::string period{};  ///< of a periodic line, in diameters; empty: an infinite line
+  std::vector<std::string> lengths{};  ///< > 0, in the order of the positions; empty: all are 1
+  std::vector<std::string> masses{};   ///< > 0, likewise
 };
 
 /// Rods on a line in exact arithmetic: no rounding, no tolerance.
@@ -20,10 +22,11 @@ struct RodsStart {
 /// Letter i is the gap between rod i and rod i + 1 in the order of their places; on a periodic line
 /// the last one is that across the end. Between contacts gap i is c_i + u_i t, with the time t
 /// since the start. A contact at letter j takes u to C_j u, where (C_j u)_j = -e u_j and (C_j u)_i
-/// = u_i + (1 + e)/2 u_j at its neighbours i; and since gap j is zero then, it takes c to C_j c as
-/// well: both go through the same linear map, and their digits grow by a constant number at each
-/// contact. Source: the map of the velocities is that of Bernu & Mazighi, J. Phys. A 23 (1990)
-/// 5745; that of c follows from C_j (c + u t) = c + u t.
+/// = u_i + (1 + e) m/M u_j at its neighbours i, m the mass of the rod of the pair j that is not
+/// beside i and M the mass of both: (1 + e)/2 for equal rods. Since gap j is zero then, it takes c
+/// to C_j c as well: both go through the same linear map, and their digits grow by a constant
+/// number at each contact. Source: the map of the velocities is that of Bernu & Mazighi, J. Phys. A
+/// 23 (1990) 5745; that of c follows from C_j (c + u t) = c + u t.
 class ExactRods {
  public:
   enum class Event {
@@ -57,25 +60,33 @@ class ExactRods {
   const std::vector<Integer>& slopes() const { return u_; }
   /// The width of a gap now, in diameters.
   Rational gap(int letter) const;
-  /// The largest difference between two velocities at the start. Contacts cannot enlarge it: they
-  /// take both velocities to averages of the two (of positive weights, since e <= 1).
+  /// A bound of the differences between two velocities, now and ever after. Between equal rods the
+  /// largest one at the start: contacts take both velocities to averages of the two (of positive
+  /// weights, since e <= 1). With different masses what the energy at the start allows.
   const Rational& velocity_range() const { return velocity_range_; }
   /// The index, in the start's lists, of the rod at the left of a letter; `letters()` on an
   /// infinite line is the last rod.
   int rod(int place) const { return order_[static_cast<std::size_t>(place) % order_.size()]; }
   const Rational& restitution() const { return restitution_; }
 
-  /// The letters beside one, each as often as it is a neighbour.
+  /// The letters beside one, the left one first, each as often as it is a neighbour.
   std::vector<int> neighbours(int letter) const;
+
+  /// The masses of the rods at a place of the line and behind it, up to a common factor; empty for
+  /// equal ones.
+  std::vector<Integer> masses_from(int place, std::size_t count) const;
 
  private:
   void place(const RodsStart& start);
   bool has_contact_beside(int letter) const;
   void collide(int letter);
+  void collide_letters(std::vector<Integer>& values, int letter, const Integer& left,
+                       const Integer& right) const;
 
   bool is_periodic_;
   Rational restitution_;
-  std::vector<int> order_;  ///< of the rods along the line
+  std::vector<int> order_;       ///< of the rods along the line
+  std::vector<Integer> masses_;  ///< along the line, up to a factor; empty: equal
   std::vector<Integer> c_;
   std::vector<Integer> u_;
   Integer scale_ = 1;  ///< of c_ and u_
@@ -85,9 +96,5 @@ class ExactRods {
   int letter_ = -1;
   bool has_simultaneous_ = false;
 };
-
-/// Times one positive integer, c and u after a contact at `letter`, for the restitution p/q.
-void collide_letters(std::vector<Integer>& values, int letter, const std::vector<int>& neighbours,
-                     const Rational& restitution);
 
 }  // namespace zenosphere

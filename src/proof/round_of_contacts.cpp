@@ -11,24 +11,29 @@ RationalVector opposite(RationalVector form) {
 
 }  // namespace
 
-RationalMatrix contact_map(int letter, int letters, const Rational& restitution) {
+RationalMatrix contact_map(int letter, int letters, const Rational& restitution,
+                           const std::vector<Integer>& masses) {
   RationalMatrix map = identity_matrix(static_cast<std::size_t>(letters));
-  const Rational share = (1 + restitution) / 2;
+  const Integer left = masses.empty() ? Integer(1) : masses[letter];
+  const Integer right = masses.empty() ? Integer(1) : masses[letter + 1];
+  const Rational share = (1 + restitution) / Rational(left + right);
   map[letter][letter] = -restitution;
-  if (letter > 0) map[letter - 1][letter] = share;
-  if (letter + 1 < letters) map[letter + 1][letter] = share;
+  if (letter > 0) map[letter - 1][letter] = share * right;
+  if (letter + 1 < letters) map[letter + 1][letter] = share * left;
   return map;
 }
 
 RoundOfContacts::RoundOfContacts(const std::vector<int>& word, int letters,
-                                 const Rational& restitution)
+                                 const Rational& restitution, const std::vector<Integer>& masses)
     : map_(identity_matrix(static_cast<std::size_t>(letters))),
       map_of_pairs_(exterior_square(map_)),
       last_letter_(word.back()) {
-  for (const int letter : word) add_contact(letter, restitution);
+  for (const int letter : word) {
+    add_contact(letter, contact_map(letter, letters, restitution, masses));
+  }
 }
 
-void RoundOfContacts::add_contact(int letter, const Rational& restitution) {
+void RoundOfContacts::add_contact(int letter, const RationalMatrix& step) {
   const std::size_t size = map_.size();
   const auto j = static_cast<std::size_t>(letter);
   const auto before = static_cast<std::size_t>(last_letter_);
@@ -42,7 +47,6 @@ void RoundOfContacts::add_contact(int letter, const Rational& restitution) {
     contact.order.push_back(form);
   }
   contacts_.push_back(std::move(contact));
-  const RationalMatrix step = contact_map(letter, static_cast<int>(size), restitution);
   map_ = product(step, map_);
   map_of_pairs_ = product(exterior_square(step), map_of_pairs_);
   last_letter_ = letter;

@@ -27,9 +27,13 @@ struct RowState {
 /// docs/decisions/0019.
 class RoundOfContacts {
  public:
-  /// \param word         letters 0 to letters - 1 in their order; the state is that after its last
-  /// one \param restitution  in (0, 1]
-  RoundOfContacts(const std::vector<int>& word, int letters, const Rational& restitution);
+  /// The state is that after the last letter of the word.
+  ///
+  /// \param word         letters 0 to letters - 1 in their order
+  /// \param restitution  in (0, 1]
+  /// \param masses       of the rods, letters + 1, up to a factor; empty: equal
+  RoundOfContacts(const std::vector<int>& word, int letters, const Rational& restitution,
+                  const std::vector<Integer>& masses = {});
 
   const RationalMatrix& map() const { return map_; }
   const RationalMatrix& map_of_pairs() const { return map_of_pairs_; }
@@ -49,7 +53,7 @@ class RoundOfContacts {
     RationalVector flight;              ///< -w_ij of that letter
     std::vector<RationalVector> order;  ///< -w_ij of all letters i but j, forms of the minors
   };
-  void add_contact(int letter, const Rational& restitution);
+  void add_contact(int letter, const RationalMatrix& step);
 
   RationalMatrix map_;
   RationalMatrix map_of_pairs_;
@@ -57,7 +61,8 @@ class RoundOfContacts {
   std::vector<Contact> contacts_;
 };
 
-/// The map of u and c at one contact.
-RationalMatrix contact_map(int letter, int letters, const Rational& restitution);
+/// The map of u and c at one contact; masses as above.
+RationalMatrix contact_map(int letter, int letters, const Rational& restitution,
+                           const std::vector<Integer>& masses = {});
 
 }  // namespace zenosphere

@@ -11,6 +11,7 @@
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "start/derived.hpp"
+#include "start/start_species.hpp"
 
 namespace zenosphere {
 
@@ -44,19 +45,19 @@ void bind_case(py::module_& module) {
       .def_static(
           "read",
           [](const std::string& file, const Texts& overrides) {
-            return read_case(file, overrides);
+            return with_species_of_start(read_case(file, overrides));
           },
           py::arg("file"), py::arg("overrides"))
       .def_static(
           "parse",
           [](const std::string& text, const std::string& name, const Texts& overrides) {
-            return parse_case(text, name, overrides);
+            return with_species_of_start(parse_case(text, name, overrides));
           },
           py::arg("text"), py::arg("name"), py::arg("overrides"))
       .def_static(
           "parse_written",
           [](const std::string& text, const std::string& name, const Texts& overrides) {
-            return parse_written_case(text, name, overrides);
+            return with_species_of_start(parse_written_case(text, name, overrides));
           },
           py::arg("text"), py::arg("name"), py::arg("overrides"))
       .def_static(

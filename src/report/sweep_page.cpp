@@ -62,7 +62,7 @@ Json json_of(const Cell& cell) {
 
 /// `, "system.restitution"` and so on: the columns of the axes.
 std::string axis_list(const StoredSweep& sweep) {
-  std::vector<const case_format::Key*> keys;
+  std::vector<AxisKey> keys;
   for (const StoredAxis& axis : sweep.axes) keys.push_back(axis.key);
   return axis_columns(keys);
 }
@@ -153,7 +153,7 @@ Json places_of(Database& store, const StoredSweep& sweep) {
 }
 
 /// Every value on an axis that has a run, ascending.
-Json tried_values(Database& store, const case_format::Key& key) {
+Json tried_values(Database& store, const AxisKey& key) {
   Statement query =
       store.statement(fmt::format("SELECT DISTINCT \"{}\" FROM run ORDER BY 1", key.path()));
   Json values = Json::array();
@@ -166,9 +166,9 @@ Json axes_of(Database& store, const StoredSweep& sweep) {
   for (const StoredAxis& axis : sweep.axes) {
     Json values = Json::array();
     for (const std::string& value : axis.values) values.push_back(Json::parse(value));
-    json.push_back({{"key", axis.key->path()}, {"values", values}});
+    json.push_back({{"key", axis.key.path()}, {"values", values}});
   }
-  if (is_search(sweep)) json.back()["values"] = tried_values(store, *sweep.axes.back().key);
+  if (is_search(sweep)) json.back()["values"] = tried_values(store, sweep.axes.back().key);
   return json;
 }
 

@@ -20,6 +20,13 @@ constexpr std::int64_t most_rods = 32;
 /// A second or two; where a word repeats, it does so within hundreds.
 constexpr std::int64_t most_contacts = 5000;
 
+/// Mobile, with one restitution, and of lengths and masses that the case writes down.
+bool are_rods_in_decimals(const Case& values) {
+  const auto is_mobile = [](const Species& species) { return !species.immobile; };
+  return values.contacts.empty() && !values.polydispersity.distribution &&
+         std::all_of(values.species.begin(), values.species.end(), is_mobile);
+}
+
 bool is_of_rods(const Case& values) {
   const auto& gravity = values.gravity.acceleration;
   const bool falls = std::any_of(gravity.begin(), gravity.end(), [](double g) { return g != 0; });
@@ -27,7 +34,7 @@ bool is_of_rods(const Case& values) {
   return values.system.dimension == 1 && values.system.spheres >= 2 &&
          values.system.spheres <= most_rods && values.drive.kind == DriveKind::none &&
          !values.walls.axis && !falls && values.start.arrangement == Arrangement::given &&
-         !values.start.granular_temperature && are_unit_spheres(values) &&
+         !values.start.granular_temperature && are_rods_in_decimals(values) &&
          collision.restitution_law == RestitutionLaw::constant && collision.contact_duration == 0;
 }
 
@@ -41,6 +48,11 @@ RodsStart start_of_rods(const Case& values) {
   }
   for (const auto& velocity : values.start.velocities) {
     start.velocities.push_back(decimal(velocity.front()));
+  }
+  const Grains<double> grains = grains_of(values);
+  for (std::int32_t i = 0; i < values.system.spheres && !grains.are_alike(); ++i) {
+    start.lengths.push_back(decimal(grains.diameter(i)));
+    start.masses.push_back(decimal(grains.mass(i)));
   }
   start.restitution = decimal(values.system.restitution);
   start.period = decimal(box_sides(values).front());

@@ -63,7 +63,11 @@ Lines::Mark beginning(Lines& lines, std::optional<std::int64_t> number) {
 class Rows {
  public:
   Rows(const xyz::Header& header, int dimension, Lines& lines)
-      : columns_(header.columns), origin_(header.origin), dimension_(dimension), lines_(lines) {}
+      : columns_(header.columns),
+        kind_names_(header.kind_names),
+        origin_(header.origin),
+        dimension_(dimension),
+        lines_(lines) {}
 
   void read_next(XyzFrame& frame) {
     split(lines_.required());
@@ -82,6 +86,7 @@ class Rows {
     }
     if (diameter) frame.diameters.push_back(*diameter);
     if (mass) frame.masses.push_back(*mass);
+    if (columns_.kind) frame.kinds.push_back(kind_in(words_[columns_.kind->column]));
     for (std::size_t n = 0; n < columns_.momentum.count; ++n) require_product(n, mass.value_or(1));
     if (columns_.has_momenta && mass) divide_velocity(frame, *mass);
     // X is the element without a name, whose mass is 1.
@@ -118,6 +123,12 @@ class Rows {
     }
   }
 
+  /// The word of a kind: of a number in a file that names its kinds, the name.
+  std::string kind_in(std::string_view word) const {
+    const auto number = xyz::number_in<std::size_t>(word);
+    return std::string(number && *number < kind_names_.size() ? kind_names_[*number] : word);
+  }
+
   /// Takes the diameter or mass that a column tells, which no other column contradicts.
   void note(const std::string& name, double size, std::optional<double>& noted) const {
     if (!(size > 0)) lines_.reject(fmt::format("{} is {} (must be > 0)", name, size));
@@ -147,6 +158,7 @@ class Rows {
   static constexpr double equal = 1e-9;  // files in text often have ten digits
 
   const xyz::Columns& columns_;
+  const std::vector<std::string>& kind_names_;
   const std::vector<double>& origin_;
   int dimension_;
   Lines& lines_;

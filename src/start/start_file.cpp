@@ -18,6 +18,7 @@
 #include "model/errors.hpp"
 #include "model/offset.hpp"
 #include "start/extended_xyz.hpp"
+#include "start/start_species.hpp"
 #include "storage/output_reader.hpp"
 
 namespace zenosphere {
@@ -140,6 +141,7 @@ GivenStart start_from_text(const Case& values, const std::string& file) {
     }
   }
   require_equal_boundaries(values, frame, file);
+  require_equal_kinds(frame.kinds, values, file);
   return {dimension,
           std::move(frame.positions),
           std::move(frame.velocities),
@@ -278,9 +280,8 @@ GivenStart given_start(const Case& values) {
              {},
              0};
   } else {
-    // HDF5 is not made for threads, and such a file is read in a copy of the process first.
-    static std::mutex one_at_a_time;
-    const std::lock_guard lock(one_at_a_time);
+    // Such a file is read in a copy of the process first.
+    const std::lock_guard lock(one_start_at_a_time());
     start = is_hdf5_file(file) ? start_from_output(values, file) : start_from_text(values, file);
     require_equal_sides(start.sides, box_sides(values), where);
   }

@@ -33,7 +33,7 @@ struct GivenStart {
 /// A file is an output file of this program or else extended XYZ; start.snapshot, or the last of
 /// its snapshots or frames, counts. The box that it tells must be that of the case, but for the
 /// Lees-Edwards offset that it had come to: the images stay where they were. Diameters and masses
-/// that it tells must be those of the case, to 1e-9.
+/// that it tells must be those of the case, to 1e-9; with_species_of_start takes them over.
 ///
 /// \param values  a checked case, as read_case gives it, with one of the two arrangements
 /// Throws InputError, which names spheres by their number from 0.

@@ -158,6 +158,7 @@ bool is_one_of(const std::string& name, const std::array<std::string_view, N>& n
 constexpr std::array<std::string_view, 4> velocity_names{"velo", "vel", "velocity", "velocities"};
 constexpr std::array<std::string_view, 2> momentum_names{"momenta", "momentum"};
 constexpr std::array<std::string_view, 2> mass_names{"mass", "masses"};
+constexpr std::array<std::string_view, 3> kind_columns{"kind", "type", "species"};
 constexpr std::array<std::pair<std::string_view, double>, 6> fixed_names{{{"radius", 0.5},
                                                                           {"radii", 0.5},
                                                                           {"diameter", 1},
@@ -180,6 +181,11 @@ void note_columns(const std::string& name, Columns::Span span, Columns& columns,
     }
     found = span;
     if (!is_momentum) columns.velocity_name = name;
+  }
+  const auto kind = std::find(kind_columns.begin(), kind_columns.end(), name);
+  const auto rank = static_cast<std::size_t>(kind - kind_columns.begin());
+  if (kind != kind_columns.end() && !(columns.kind && columns.kind->rank <= rank)) {
+    columns.kind = {rank, span.first};
   }
   if (name == "angular_velocity" && span.count == 3) columns.spin = span;
   columns.has_masses = columns.has_masses || is_one_of(name, mass_names);
@@ -281,6 +287,7 @@ Header header_of(std::string_view comment, int dimension, const Lines& lines) {
                 .origin = origin_in(comment, dimension, lines),
                 .is_periodic = periodic_in(comment, lines),
                 .columns = columns_in(comment, dimension, lines)};
+  if (const auto names = value_of("kinds", comment, lines)) header.kind_names = words_of(*names);
   require_agreement(comment, header.columns, lines);
   return header;
 }

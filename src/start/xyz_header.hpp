@@ -26,12 +26,18 @@ struct Columns {
 
   Span position;
   Span velocity;
-  std::string velocity_name;         ///< `velo`
-  bool has_momenta = false;          ///< the velocities are momenta
-  Span momentum;                     ///< beside velocities, whose numbers it must repeat: mass 1
-  bool has_masses = false;           ///< a column tells that the mass is 1
-  Span spin;                         ///< three columns, or none
-  std::vector<Fixed> fixed;          ///< radius, diameter, mass
+  std::string velocity_name;  ///< `velo`
+  bool has_momenta = false;   ///< the velocities are momenta
+  Span momentum;              ///< beside velocities, whose numbers it must repeat: mass 1
+  bool has_masses = false;    ///< a column tells that the mass is 1
+  Span spin;                  ///< three columns, or none
+  std::vector<Fixed> fixed;   ///< radius, diameter, mass
+  /// A column of words for the kinds, and how surely they are meant: the least is the surest.
+  struct Kind {
+    std::size_t rank;
+    std::size_t column;
+  };
+  std::optional<Kind> kind;
   std::optional<std::size_t> total;  ///< columns in all; none: more may follow
 };
 
@@ -47,6 +53,7 @@ struct Header {
   std::vector<double> origin;                      ///< D, diameters: the lowest corner of the box
   std::optional<std::array<bool, 3>> is_periodic;  ///< none: not told
   Columns columns;
+  std::vector<std::string> kind_names;  ///< of the numbers in the column `kind`; maybe none
 };
 
 /// Reads the second line of a frame: `Lattice`, `Origin`, `pbc` and `Properties`, keys in any case.

@@ -1,5 +1,7 @@
 """Runs of spheres of different kinds, and of rough ones: resumed, verified, in every precision."""
 
+import json
+
 import h5py
 import numpy as np
 import pytest
@@ -138,3 +140,45 @@ def test_temperatures_of_spins_and_kinds_are_told(program):
     mean = (large["granular_temperature"] + small["granular_temperature"]) / 2
     assert averages["granular_temperature"] == pytest.approx(mean, rel=1e-12)
     assert averages["rotational_temperature"] > 0
+
+
+RODS = """\
+[system]
+dimension = 1
+spheres = 3
+restitution = 0.2
+sides = [100]
+
+[[species]]
+name = "heavy"
+diameter = 1
+mass = 3
+spheres = 2
+
+[[species]]
+name = "light"
+diameter = 0.5
+mass = 1
+spheres = 1
+
+[start]
+arrangement = "given"
+positions = [10, 12.02, 10.9]
+velocities = [1, -0.2, 0]
+
+[drive]
+kind = "none"
+
+[run]
+time = 1
+"""
+
+
+@pytest.mark.parametrize("restitution, finding", [(0.203, "proven"), (0.2045, "near-collapse")])
+def test_collapse_of_rods_of_two_kinds_is_proven(program, restitution, finding):
+    """A rod between two of three times its mass: ((1 - sqrt(1 - b^2)) / b)^2 = 0.20378, b = 3/4."""
+    program.case.write_text(RODS)
+    done = program("adjudicate", "case.toml", "--json", "--set", f"system.restitution={restitution}")
+    result = json.loads(done.stdout.splitlines()[-1])
+    assert result["finding"] == finding
+    assert "in exact fractions" in result["sentence"]

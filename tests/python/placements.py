@@ -11,18 +11,18 @@ class Given:
 
     positions: a sequence of (N, D), in the box;  velocities: of (N, D), peculiar; None: all 0
     edges: (D, D), or one for each snapshot;  interval: time between snapshots
-    in_detail: how many of them are for whole curves
+    in_detail: how many of them are for whole curves;  kinds: Kinds, None: unit spheres
     """
 
     def __init__(self, positions, edges, velocities=None, interval=1.0, shear_rate=0.0, walls=None,
-                 collision_rate=0.0, in_detail=40):
+                 collision_rate=0.0, in_detail=40, kinds=None):
         self.positions = positions
         self.velocities = velocities
         edges = np.asarray(edges, dtype=float)
         self.edges = [edges] * len(positions) if edges.ndim == 2 else edges
         self.times = interval * np.arange(len(positions))
         self.shear_rate, self.walls, self.collision_rate = shear_rate, walls, collision_rate
-        self.in_detail = in_detail
+        self.in_detail, self.kinds = in_detail, kinds
         self.spheres, self.dimension = np.shape(positions[0])
         self.box = PeriodicBox(self.edges[0], walls)
 
@@ -39,7 +39,7 @@ class Given:
                           else self.velocities[number])
             box = PeriodicBox(edges, self.walls)
             yield Frame(number, time, places, velocities, velocities, box,
-                        is_in_detail=number < self.in_detail)
+                        is_in_detail=number < self.in_detail, kinds=self.kinds)
 
 
 def result_of(measurement, frames):

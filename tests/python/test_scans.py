@@ -11,6 +11,7 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 sys.path.insert(0, str(EXAMPLES))
 
 import scan_random_acceleration as acceleration  # noqa: E402
+import mixture_pressure  # noqa: E402
 import scan_anatomy as anatomy  # noqa: E402
 import scan_contact_duration as duration  # noqa: E402
 import scan_rods as rods  # noqa: E402
@@ -35,6 +36,26 @@ def test_missing_program_is_said_with_what_to_do(monkeypatch):
     monkeypatch.setenv("ZENOSPHERE", "/nowhere/zenosphere")
     with pytest.raises(SystemExit, match="no such program.*ZENOSPHERE"):
         scanning.program()
+
+
+def test_equations_of_state_of_mixtures_of_one_size_are_the_known_ones():
+    """Carnahan-Starling (1 + f + f^2 - f^3)/(1 - f)^3 and Henderson (1 + f^2/8)/(1 - f)^2."""
+    assert mixture_pressure.expected(3, 0.3, 1, 0.5) == pytest.approx(1.363 / 0.343)
+    assert mixture_pressure.expected(2, 0.4, 1, 0.5) == pytest.approx(1.02 / 0.36)
+
+
+def test_pressure_of_a_mixture_is_that_of_its_contact_values():
+    """Z - 1 from the g_ij at contact, pair by pair, is the sum that the two equations give."""
+    dimension, fraction, sizes, shares = 2, 0.5, (1, 2), (0.8, 0.2)
+    mean, square = (sum(x * s**k for x, s in zip(shares, sizes)) for k in (1, 2))
+    density = fraction / (np.pi / 4 * square)
+    z = 1
+    for x, s in zip(shares, sizes):
+        for y, t in zip(shares, sizes):
+            pair = (s + t) / 2
+            contact = 1 / 0.5 + 9 / 16 * fraction * s * t * mean / (pair * square) / 0.25
+            z += np.pi / 2 * density * x * y * pair**2 * contact
+    assert mixture_pressure.expected(dimension, fraction, 2, 0.2) == pytest.approx(z)
 
 
 def test_thresholds_of_three_and_four_rods_are_the_known_ones():

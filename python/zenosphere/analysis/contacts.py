@@ -12,17 +12,22 @@ TOUCHING = 0.01  # gap, diameters
 class Contacts:
     """Pairs with a gap of 0.01 diameters at most, and the clusters that such pairs connect.
 
+    The gap of spheres that differ is that over their mean diameter.
+
     frames: Frames
     """
 
     def __init__(self, frames):
-        self.gap = float(min(TOUCHING, frames.box.reach - 1))
+        self._kinds = frames.kinds
+        self._widest = 1.0 if self._kinds is None else float(self._kinds.diameter.max())
+        self.gap = float(min(TOUCHING, frames.box.reach / self._widest - 1))
         self._coordination, self._clusters, self._largest, self._members = [], [], [], []
         self._neighbours = np.zeros(1)
 
     def add(self, frame):
         """Counts the pairs and clusters of a snapshot."""
-        pairs = [(i, j) for i, j, _ in frame.box.neighbours(frame.positions, 1 + self.gap)]
+        reach = self._widest * (1 + self.gap)
+        pairs = [self._touching(*part) for part in frame.box.neighbours(frame.positions, reach)]
         i, j = (np.concatenate(column) for column in zip(*pairs))
         graph = coo_matrix((np.ones(len(i)), (i, j)), shape=(frame.spheres, frame.spheres))
         sizes = np.bincount(connected_components(graph, directed=False)[1])
@@ -43,6 +48,14 @@ class Contacts:
             "clusters": float(np.mean(self._clusters)),
             "share_in_clusters": float(np.mean(self._members)),
             "largest_cluster": int(np.max(self._largest))}}
+
+    def _touching(self, i, j, distance):
+        """Of pairs that are near those that touch."""
+        if self._kinds is None:
+            return i, j
+        diameter = self._kinds.diameter
+        near = distance <= (diameter[i] + diameter[j]) / 2 * (1 + self.gap)
+        return i[near], j[near]
 
     def _count(self, numbers):
         more = len(numbers) - len(self._neighbours)

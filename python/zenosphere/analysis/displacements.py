@@ -19,7 +19,7 @@ class Displacements:
     so that one set of displacements is kept at a time. A step between snapshots is unwrapped by its
     nearest image, less what the shear has carried the sphere along; that is certain only while
     the fastest sphere comes less than half a side. Between walls nothing is unwrapped along their
-    normal, and the common motion is left in.
+    normal, and the common motion is left in, as it is among immobile spheres, which do not count.
 
     frames: Frames
     """
@@ -33,7 +33,10 @@ class Displacements:
         self._is_certain = np.ones(frames.dimension, dtype=bool)
         self._squares, self._correlations = [], []
         self._axes = frames.box.periodic
-        self._is_carried = frames.walls is None and frames.spheres > 1
+        self._kinds = frames.kinds
+        self._counted = slice(None) if self._kinds is None else self._kinds.mobile
+        self._is_carried = (frames.walls is None and frames.spheres > 1
+                            and (self._kinds is None or self._kinds.mobile.all()))
 
     def add(self, frame):
         """Goes on to the next snapshot."""
@@ -47,8 +50,8 @@ class Displacements:
         if not interval > 0 or abs(interval - self._interval) > EVEN * self._interval:
             return self._begin(frame)
         self._moved += self._step(last, frame)
-        self._row.append(np.mean(self._moved**2, axis=0))
-        self._products.append(_product(self._start.velocities, frame.velocities))
+        self._row.append(np.mean(self._moved[self._counted]**2, axis=0))
+        self._products.append(self._product(self._start.velocities, frame.velocities))
         if len(self._row) == self._lags + 1:
             self._squares.append(self._row)
             self._correlations.append(self._products)
@@ -74,7 +77,7 @@ class Displacements:
         self._start = frame
         self._moved = np.zeros_like(frame.positions)
         self._row = [np.zeros(frame.dimension)]
-        self._products = [_product(frame.velocities, frame.velocities)]
+        self._products = [self._product(frame.velocities, frame.velocities)]
 
     def _stretch(self, interval):
         """Steps in a stretch; at most all, without one at the end that is shorter."""
@@ -100,7 +103,13 @@ class Displacements:
             certain[0] &= certain[1] and self.shear_rate * interval <= MOST_STRAIN
         certain[[axis for axis in range(frame.dimension) if axis not in self._axes]] = True
         self._is_certain &= certain
-        return step - step.mean(axis=0) if self._is_carried else step
+        return step - self._common(step) if self._is_carried else step
+
+    def _common(self, step):
+        """Mean of all spheres; of a mixture by mass."""
+        if self._kinds is None:
+            return step.mean(axis=0)
+        return self._kinds.mass @ step / self._kinds.mass.sum()
 
     def _height(self, last, step):
         """Mean height above the middle of the box along the way, (N), for the imposed profile."""
@@ -133,6 +142,5 @@ class Displacements:
         slopes = np.polyfit(time[half:], rows[:, half:].T, 1)[0]
         return dict(zip(("value", "standard_error"), mean_and_error(slopes / 2)))
 
-
-def _product(first, second):
-    return float(np.mean(np.sum(first * second, axis=1)))
+    def _product(self, first, second):
+        return float(np.mean(np.sum(first * second, axis=1)[self._counted]))

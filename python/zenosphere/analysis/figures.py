@@ -41,6 +41,24 @@ def radial_distribution(axes, results):
     return True
 
 
+def partial_distributions(axes, results):
+    """g_ab of each two kinds of a mixture, and their values at contact."""
+    pairs = [pair for pair in results.get("partial_radial_distributions", ()) if pair["x"].size]
+    for number, pair in enumerate(pairs):
+        colour = COLOURS[number % len(COLOURS)]
+        axes.plot(pair["x"], pair["g"], linewidth=1, color=colour,
+                  label="–".join(pair["between"]))
+        if pair["contact_value"]["value"] is not None:
+            axes.plot([1], pair["contact_value"]["value"], "o", color=colour, markersize=4)
+    if not pairs:
+        return False
+    axes.axhline(1, color="0.7", linewidth=0.6, zorder=0)
+    axes.set(xlabel="Distance over the mean diameter of the two",
+             ylabel="Radial distribution $g_{ab}$", ylim=(0, None))
+    axes.legend()
+    return True
+
+
 def by_direction(axes, results):
     """g(r) along two directions; inset, g near contact against the direction."""
     curve = results["radial_distribution_by_direction"]
@@ -185,6 +203,7 @@ def _histogram(name, label):
 
 FIGURES = {
     "radial-distribution": radial_distribution,
+    "partial-radial-distributions": partial_distributions,
     "radial-distribution-by-direction": by_direction,
     "structure-factor": structure_factor,
     "velocity-distribution": velocities,

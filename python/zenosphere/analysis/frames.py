@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from ..errors import InputError
+from .kinds import Kinds
 from .periodic_box import PeriodicBox
 
 MOST_IN_DETAIL = 40  # snapshots for what is costly: g(r) and S(k) as whole curves
@@ -18,7 +19,7 @@ class Frame:
     """One snapshot.
 
     velocities: (N, D), peculiar: relative to the imposed profile, and to the mean of all spheres or
-    between walls of each layer of about a hundred
+    between walls of each layer of about a hundred; of spheres that differ the mean by mass
     """
 
     number: int  # among those looked at, from 0
@@ -28,6 +29,7 @@ class Frame:
     profile_velocities: np.ndarray  # (N, D), relative to the imposed profile only
     box: PeriodicBox
     is_in_detail: bool
+    kinds: Kinds | None = None  # None: unit spheres
 
     @property
     def spheres(self):
@@ -51,6 +53,8 @@ class Frames:
     def __init__(self, output, from_time=None, to_time=None):
         self.output = output
         self.case = output.case.tables
+        self.kinds = Kinds.of(output.case.grains_if_different,
+                              [each["name"] for each in self.case.get("species", [])])
         snapshots = output.snapshots
         if not len(snapshots):
             raise InputError(f"{output.path}: no snapshots (the run has not got to its first"
@@ -80,7 +84,7 @@ class Frames:
                                  f" time {state.time:g} is no number (the file is damaged); take"
                                  " another copy of it, or run its case again")
             yield Frame(number, state.time, state.positions, self._peculiar(state), velocities, box,
-                        number % stride == 0)
+                        number % stride == 0, self.kinds)
 
     @property
     def span(self):
@@ -133,10 +137,17 @@ class Frames:
     def _peculiar(self, state):
         velocities = state.peculiar_velocities
         if self.walls is None:
-            return velocities - velocities.mean(axis=0) if len(velocities) > 1 else velocities
+            return velocities - self._common(velocities) if len(velocities) > 1 else velocities
         layers = max(len(velocities) // 100, 1)
         order = np.argsort(state.positions[:, self.walls], kind="stable")
         relative = velocities.copy()
         for layer in np.array_split(order, layers):
-            relative[layer] -= relative[layer].mean(axis=0) if len(velocities) > 1 else 0
+            relative[layer] -= self._common(relative, layer) if len(velocities) > 1 else 0
         return relative
+
+    def _common(self, velocities, among=slice(None)):
+        """Mean velocity of some spheres, by mass, without immobile ones; of no sphere 0."""
+        if self.kinds is None:
+            return velocities[among].mean(axis=0)
+        mass = np.where(self.kinds.mobile, self.kinds.mass, 0)[among]
+        return mass @ velocities[among] / mass.sum() if mass.any() else 0

@@ -126,6 +126,11 @@ def contact_width(frames, reach):
     """
     dimension = frames.dimension
     spheres = frames.spheres * surface(dimension, 0.5) / (2 * dimension)  # their volume
-    fraction = min(spheres / np.prod(frames.box.sides), 0.99)
-    collisional = 2 ** (dimension - 1) * fraction * contact_value(dimension, fraction)
-    return float(min(0.7 / collisional, WIDEST_CONTACT, reach - 1))
+    return float(min(contact_range(dimension, spheres / np.prod(frames.box.sides)), WIDEST_CONTACT,
+                     reach - 1))
+
+
+def contact_range(dimension, fraction):
+    """0.7 / (Z - 1) of elastic spheres at this solids volume fraction."""
+    fraction = min(fraction, 0.99)
+    return 0.7 / (2 ** (dimension - 1) * fraction * contact_value(dimension, fraction))

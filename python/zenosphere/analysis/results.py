@@ -3,20 +3,21 @@
 import os
 from typing import Any
 
-from ..errors import InputError
 from ..output import open as open_output
 from .collision_log import collision_distributions
 from .contacts import Contacts, FreePath
 from .displacements import Displacements
 from .frames import Frames
+from .partial import PartialDistributions
 from .profiles import Profiles
 from .radial import RadialDistribution
 from .stress import stresses
 from .structure import StructureFactor
-from .velocities import Velocities
+from .velocities import Velocities, VelocitiesOfKinds
 
 MEASUREMENTS = (RadialDistribution, StructureFactor, Velocities, Profiles, FreePath, Contacts,
                 Displacements)
+OF_MIXTURES = (PartialDistributions, *MEASUREMENTS[1:], VelocitiesOfKinds)
 
 
 def analyse(path: str | os.PathLike[str], *, from_time: float | None = None,
@@ -29,15 +30,12 @@ def analyse(path: str | os.PathLike[str], *, from_time: float | None = None,
     Returns the object that `zenosphere analyse --json` prints (docs/measurements.md), with NumPy
     arrays for its lists: `analyse("run.h5")["radial_distribution"]["g"]`. What cannot be known is
     None, in arrays NaN.
-    Raises InputError where there is no such file, no snapshot of that time in it, or its spheres
-    differ in size or mass.
+    Raises InputError where there is no such file, or no snapshot of that time in it.
     """
     output = open_output(path)
-    if output.case.grains_if_different is not None:
-        raise InputError(f"{output.path}: is a run of spheres that differ (analyse knows unit"
-                         " spheres only in this version); its averages are in the summary")
     frames = Frames(output, from_time, to_time)
-    measurements = [measurement(frames) for measurement in MEASUREMENTS]
+    chosen = MEASUREMENTS if frames.kinds is None else OF_MIXTURES
+    measurements = [measurement(frames) for measurement in chosen]
     for frame in frames:
         for measurement in measurements:
             measurement.add(frame)

@@ -72,6 +72,11 @@ def scalar_rows(results):
             holder = holder[part]
         error = holder.get("standard_error" if key == "value" else f"{key}_standard_error")
         yield {"quantity": name.format_map(holder), "value": holder[key], "standard_error": error}
+    for kind in results.get("species", ()):
+        yield {"quantity": f"granular temperature of {kind['name']}"} | kind["granular_temperature"]
+        yield {"quantity": f"a2 of {kind['name']}"} | kind["sonine"]["a2"]
+    for pair in results.get("partial_radial_distributions", ()):
+        yield {"quantity": f"g at contact, {' and '.join(pair['between'])}"} | pair["contact_value"]
 
 
 def curves(results):
@@ -82,6 +87,9 @@ def curves(results):
         found["radial_distribution_by_direction"] = {"r": sheared["r"]} | {
             f"g_at_{math.degrees(angle):g}_degrees": g
             for angle, g in zip(sheared["angle"], sheared["g"])}
+    for pair in results.get("partial_radial_distributions", ()):
+        name = "radial_distribution_" + "_".join(pair["between"])
+        found[name] = {key: pair[key] for key in ("x", "g", "standard_error")}
     touching = results["touching"]
     found["touching"] = {key: touching[key] for key in ("neighbours", "share")}
     found |= {name: flat_columns(histogram)
@@ -103,6 +111,8 @@ def flat_columns(curve):
     for key, value in curve.items():
         if isinstance(value, dict) and key == "by_axis":
             columns |= {f"{key}_{axis}": column for axis, column in value.items()}
+        elif isinstance(value, dict) and key.startswith("species_"):
+            columns |= {f"{key}_{name}": column for name, column in value.items()}
         elif isinstance(value, np.ndarray) and value.ndim == 2:
             columns |= {f"{key}_{axis}": column for axis, column in zip("xyz", value.T)}
         elif isinstance(value, np.ndarray):

@@ -14,9 +14,7 @@ std::vector<std::string> texts(const AxisRange& range, Storage storage) {
   return texts;
 }
 
-Storage storage_of(std::string_view table, std::string_view name) {
-  return zenosphere::storage_of(*case_format::key_named(table, name));
-}
+Storage storage_of(std::string_view path) { return AxisKey::named(path).value().storage(); }
 
 // In doubles 0.1 + 0.4 * 2 / 4 and 0.1 + 0.4 * 3 / 4 end in ...04: nobody means that.
 TEST(AxisRange, LinearHasBothEndsAndNumbersAsPeopleWriteThem) {
@@ -40,13 +38,13 @@ TEST(AxisRange, OfACountIsRounded) {
 }
 
 TEST(Storage, FollowsTheTypeOfTheKey) {
-  EXPECT_EQ(storage_of("system", "restitution"), Storage::real);
-  EXPECT_EQ(storage_of("start", "granular_temperature"), Storage::real);
-  EXPECT_EQ(storage_of("system", "spheres"), Storage::integer);
-  EXPECT_EQ(storage_of("run", "collisions"), Storage::integer);
-  EXPECT_EQ(storage_of("collision", "overlap"), Storage::text);
-  EXPECT_EQ(storage_of("collapse", "stop_when_collapsed"), Storage::text);
-  EXPECT_EQ(storage_of("system", "sides"), Storage::text);
+  EXPECT_EQ(storage_of("system.restitution"), Storage::real);
+  EXPECT_EQ(storage_of("start.granular_temperature"), Storage::real);
+  EXPECT_EQ(storage_of("system.spheres"), Storage::integer);
+  EXPECT_EQ(storage_of("run.collisions"), Storage::integer);
+  EXPECT_EQ(storage_of("collision.overlap"), Storage::text);
+  EXPECT_EQ(storage_of("collapse.stop_when_collapsed"), Storage::text);
+  EXPECT_EQ(storage_of("system.sides"), Storage::text);
 }
 
 TEST(Storage, TurnsIntegersIntoRealNumbersAndWholeNumbersIntoCounts) {
@@ -56,9 +54,31 @@ TEST(Storage, TurnsIntegersIntoRealNumbersAndWholeNumbersIntoCounts) {
 }
 
 TEST(Override, QuotesNamesOfFilesWhateverTheyLookLike) {
-  EXPECT_EQ(override_of(*case_format::key_named("start", "file"), "5"), "start.file=\"5\"");
-  EXPECT_EQ(override_of(*case_format::key_named("collision", "overlap"), "stop"),
-            "collision.overlap=stop");
+  EXPECT_EQ(AxisKey::named("start.file")->override_of("5"), "start.file=\"5\"");
+  EXPECT_EQ(AxisKey::named("collision.overlap")->override_of("stop"), "collision.overlap=stop");
+}
+
+TEST(AxisKey, IsOfATableOrOfASpeciesOrOfAContact) {
+  EXPECT_EQ(storage_of("species.heavy.mass"), Storage::real);
+  EXPECT_EQ(storage_of("species.heavy.spheres"), Storage::integer);
+  EXPECT_EQ(storage_of("species.heavy.immobile"), Storage::text);
+  EXPECT_EQ(storage_of("contact.a.b.restitution"), Storage::real);
+  EXPECT_EQ(AxisKey::named("species.heavy.mass")->override_of("3.0"), "species.heavy.mass=3.0");
+}
+
+TEST(AxisKey, HasNoOtherPath) {
+  for (const std::string path : {"species", "species.mass", "species.heavy", "species.heavy.name",
+                                 "species.a.b.mass", "species..mass", "species.a\"b.mass",
+                                 "contact.a.restitution", "contact.a.b.between", "system"}) {
+    EXPECT_FALSE(AxisKey::named(path)) << path;
+  }
+}
+
+TEST(AxisKey, KnowsTheNearestPath) {
+  EXPECT_EQ(AxisKey::nearest_path("species.heavy.mas"), "species.heavy.mass");
+  EXPECT_EQ(AxisKey::nearest_path("contact.a.b.restitutio"), "contact.a.b.restitution");
+  EXPECT_EQ(AxisKey::nearest_path("species.mas"), std::nullopt);
+  EXPECT_EQ(AxisKey::nearest_path("system.restitutio"), "system.restitution");
 }
 
 }  // namespace

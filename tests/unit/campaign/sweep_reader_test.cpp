@@ -67,6 +67,52 @@ TEST(SweepFile, BaseTextStandsForTheBaseCase) {
   }
 }
 
+TEST(SweepFile, MayVaryKeysOfSpeciesAndContacts) {
+  const Sweep sweep = parse_sweep(mixture_sweep, "s.toml");
+  const Case values = case_of_run(sweep.base, sweep.stop, overrides_of(sweep, 3));
+  EXPECT_EQ(values.species[1].mass, 10);
+  EXPECT_EQ(values.contacts[0].restitution, 0.7);
+  EXPECT_EQ(values.contacts[0].friction->coefficient, 0.1);
+}
+
+TEST(SweepFile, TakesAxesOverSpeciesInTablesOfTheirOwn) {
+  const Sweep sweep =
+      parse_sweep(replaced(mixture_sweep, "\"species.heavy.mass\" = [1, 10]",
+                           "species.heavy.mass = { from = 1, to = 10, points = 2 }"),
+                  "s.toml");
+  EXPECT_EQ(sweep.axes[0].path(), "species.heavy.mass");
+  EXPECT_EQ(case_of_run(sweep.base, sweep.stop, overrides_of(sweep, 3)).species[1].mass, 10);
+}
+
+TEST(SweepFile, BaseTextHasSpeciesAndContactsWithoutTheKeysOfAxes) {
+  const Sweep sweep = parse_sweep(mixture_sweep, "s.toml");
+  EXPECT_EQ(sweep.base_text.find("mass"), std::string::npos);
+  const CaseTemplate base(case_format::entries_of(sweep.base_text, "base"), "base");
+  for (int run = 0; run < 8; ++run) {
+    const auto overrides = overrides_of(sweep, run);
+    EXPECT_EQ(resolved_toml(case_of_run(base, sweep.stop, overrides)),
+              resolved_toml(case_of_run(sweep.base, sweep.stop, overrides)));
+  }
+}
+
+TEST(SweepFile, RefusesAxesOverSpeciesThatAreNotThere) {
+  const auto told = [](const std::string& key) {
+    return refusal(replaced(mixture_sweep, "species.heavy.mass", key));
+  };
+  EXPECT_EQ(told("species.heavy.mas"),
+            "s.toml:4:1: unknown key axes.\"species.heavy.mas\" (an axis is over a key of the "
+            "case); did you mean \"species.heavy.mass\"?");
+  EXPECT_EQ(told("species.heavie.mass"),
+            "s.toml:4:26: axes.\"species.heavie.mass\" (the base case has no [[species]] heavie); "
+            "use a name that it has");
+  EXPECT_EQ(told("contact.heavy.light.friction"),
+            "s.toml:4:35: axes.\"contact.heavy.light.friction\" (the base case has no [[contact]] "
+            "heavy.light); use a name that it has");
+  EXPECT_EQ(told("species.heavy.share"),
+            "s.toml:4:26: species.heavy.share = 1.0 (the shares add up to 1.5, must be 1)\n"
+            "s.toml:4:29: species.heavy.share = 10.0 (must be in (0, 1])");
+}
+
 TEST(SweepFile, NamesItsBaseCaseRelativeToItself) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "base.toml")

@@ -54,6 +54,33 @@ TEST(CertifyRods, TheEndScalesWithTheGapHoweverSmall) {
   EXPECT_EQ(exact_number(certificate.exact), Rational(40, 11) * exact_number("3e-81"));
 }
 
+/// A light rod between two that are three times as heavy, as above.
+RodsStart light_between(const std::string& restitution) {
+  RodsStart start = triple(restitution);
+  start.masses = {"3", "1", "3"};
+  return start;
+}
+
+// As above with a = (1 + e) 3/4 = 9/10 at e = 1/5: x^2 - 9/10 x + 1/5 = 0, x = 1/2, the end is at
+// g / (1/2 - 1/8), and what remains shrinks by e / x^2 = 4/5 in each of the two contacts.
+TEST(CertifyRods, ALightRodBetweenHeavyOnesEndsAtEightThirdsExactly) {
+  const Certificate certificate = certify_rods(light_between("1/5"));
+  EXPECT_EQ(certificate.kind, Kind::proven);
+  EXPECT_EQ(certificate.word, "ab");
+  EXPECT_EQ(certificate.exact, "8/3");
+  EXPECT_NEAR(certificate.contraction, 0.64, 1e-12);
+  RodsStart longer = light_between("1/5");
+  longer.positions = {"0", "1.5", "4"};
+  longer.lengths = {"1", "2", "1"};
+  EXPECT_EQ(certify_rods(longer).exact, "8/3");
+}
+
+// e_c = ((1 - sqrt(1 - b^2)) / b)^2, b = 3/4: 0.203776...
+TEST(CertifyRods, ALightRodBetweenHeavyOnesHasItsThreshold) {
+  EXPECT_EQ(certify_rods(light_between("0.2037")).kind, Kind::proven);
+  EXPECT_EQ(certify_rods(light_between("0.2038")).kind, Kind::escapes);
+}
+
 // 7 - 4 sqrt(3) = 0.071796769724...
 TEST(CertifyRods, ThreeRodsCollapseAMillionthBelowTheThresholdAndEscapeAMillionthAbove) {
   const Certificate below = certify_rods(triple("0.0717958"));

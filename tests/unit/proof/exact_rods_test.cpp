@@ -93,6 +93,28 @@ TEST(ExactRods, TakeTheShorterOfTwoTimesThatDoubleCannotTellApart) {
   EXPECT_FALSE(rods.has_simultaneous_contacts());
 }
 
+// Masses 3 and 1 at speed 1 and e = 1/2: the impulse is 3/2 x 3/4, speeds are 5/8 and 9/8 then.
+TEST(ExactRods, OfDifferentMassKeepTheMomentum) {
+  ExactRods rods({.positions = {"0", "2", "5"},
+                  .velocities = {"1", "0", "0"},
+                  .restitution = "0.5",
+                  .masses = {"3", "1", "7"}});
+  ASSERT_EQ(rods.next_event(), ExactRods::Event::contact);
+  const std::vector<Integer>& u = rods.slopes();
+  EXPECT_EQ(Rational(u[1], u[0]), Rational(-9, 4));  // -9/8 over 1/2
+  EXPECT_EQ(rods.now(), 1);
+}
+
+// Twice the energy in the frame of the centre of mass is 3 - 9/11 = 24/11.
+TEST(ExactRods, OfDifferentMassBoundVelocitiesByEnergy) {
+  ExactRods rods({.positions = {"0", "2", "5"},
+                  .velocities = {"1", "0", "0"},
+                  .restitution = "1",
+                  .masses = {"3", "1", "7"}});
+  EXPECT_GE(rods.velocity_range() * rods.velocity_range(), 4 * Rational(24, 11));
+  ASSERT_EQ(rods.next_event(), ExactRods::Event::contact);  // the light one flies off at 3/2
+}
+
 TEST(ExactRods, RefuseWhatIsNoStart) {
   const auto refused = [](const RodsStart& start) { EXPECT_THROW(ExactRods{start}, InputError); };
   refused({.positions = {"0", "0.999"}, .velocities = {"0", "0"}, .restitution = "0.5"});
