@@ -15,7 +15,7 @@
 namespace zenosphere {
 
 enum class DriveKind { none, shear, random };
-enum class RestitutionLaw { constant, viscoelastic, fixed_loss };
+enum class RestitutionLaw { constant, viscoelastic, fixed_loss, two_valued };
 enum class CollisionLog { all, window, none };
 enum class SnapshotSpacing { linear, logarithmic };
 enum class Axis { x, y, z };
@@ -106,6 +106,9 @@ struct Case {
     RestitutionLaw restitution_law = RestitutionLaw::constant;
     double viscoelastic_constant = 0;  ///< A, (time/diameter)^(1/5)
     double energy_loss = 0;            ///< of an energetic collision, mass diameter^2/time^2
+    double slow_restitution = 0;       ///< of RestitutionLaw::two_valued: below the threshold
+    double fast_restitution = 0;       ///< from the threshold on
+    double threshold_speed = 0;        ///< diameters/time
     double contact_duration = 0;       ///< of the TC model, time; 0: not used
     double rotation_angle = 0;         ///< largest, radians; 0: not used
     std::optional<double> tangential_restitution;  ///< beta0; none: smooth spheres

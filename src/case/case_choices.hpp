@@ -28,9 +28,9 @@ inline constexpr std::array axis_words{Word{"x", Axis::x}, Word{"y", Axis::y}, W
 inline constexpr std::array overlap_words{
     Word{"rewind", OverlapRule::rewind}, Word{"immediate", OverlapRule::immediate},
     Word{"guarded", OverlapRule::guarded}, Word{"stop", OverlapRule::stop}};
-inline constexpr std::array law_words{Word{"constant", RestitutionLaw::constant},
-                                      Word{"viscoelastic", RestitutionLaw::viscoelastic},
-                                      Word{"fixed-loss", RestitutionLaw::fixed_loss}};
+inline constexpr std::array law_words{
+    Word{"constant", RestitutionLaw::constant}, Word{"viscoelastic", RestitutionLaw::viscoelastic},
+    Word{"fixed-loss", RestitutionLaw::fixed_loss}, Word{"two-valued", RestitutionLaw::two_valued}};
 inline constexpr std::array log_words{Word{"all", CollisionLog::all},
                                       Word{"window", CollisionLog::window},
                                       Word{"none", CollisionLog::none}};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "case/case_box.hpp"
+#include "case/case_conditions.hpp"
 #include "model/limits.hpp"
 #include "text/spelling.hpp"
 
@@ -25,66 +26,6 @@ constexpr Range above_to(double low, double high, std::string_view note = "") {
   return {low, high, false, note};
 }
 constexpr Range any = from_to(-unbounded, unbounded);
-
-constexpr Condition only_without_sides = {{"system.sides", ""},
-                                          [](const Case& c) { return c.system.sides.empty(); },
-                                          "a box without system.sides"};
-constexpr Condition only_in_a_proportion = {
-    {"system.dimension", "system.sides"},
-    [](const Case& c) { return c.system.dimension > 1 && c.system.sides.empty(); },
-    "two or three dimensions, without system.sides"};
-constexpr Condition only_given = {
-    {"start.arrangement", ""},
-    [](const Case& c) { return c.start.arrangement == Arrangement::given; },
-    "start.arrangement = \"given\""};
-constexpr Condition only_from_file = {
-    {"start.arrangement", ""},
-    [](const Case& c) { return c.start.arrangement == Arrangement::file; },
-    "start.arrangement = \"file\""};
-constexpr Condition only_constant = {
-    {"collision.restitution_law", ""},
-    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::constant; },
-    "collision.restitution_law = \"constant\""};
-constexpr Condition only_viscoelastic = {
-    {"collision.restitution_law", ""},
-    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::viscoelastic; },
-    "collision.restitution_law = \"viscoelastic\""};
-constexpr Condition only_fixed_loss = {
-    {"collision.restitution_law", ""},
-    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::fixed_loss; },
-    "collision.restitution_law = \"fixed-loss\""};
-constexpr Condition only_sheared = {{"drive.kind", ""},
-                                    [](const Case& c) { return c.drive.kind == DriveKind::shear; },
-                                    "drive.kind = \"shear\""};
-constexpr Condition only_kicked = {{"drive.kind", ""},
-                                   [](const Case& c) { return c.drive.kind == DriveKind::random; },
-                                   "drive.kind = \"random\""};
-constexpr Condition only_walled = {{"walls.axis", ""},
-                                   [](const Case& c) { return c.walls.axis.has_value(); },
-                                   "walls with an axis"};
-constexpr Condition only_touched = {
-    {"walls.axis", "system.dimension"},
-    [](const Case& c) { return c.walls.axis.has_value() && c.system.dimension > 1; },
-    "walls in two or three dimensions"};
-constexpr Condition only_sliding = {
-    {"walls.axis", ""},
-    [](const Case& c) { return c.walls.axis.has_value() && c.walls.axis != Axis::x; },
-    "walls normal to y or z, which can move along x"};
-constexpr Condition only_turning = {{"system.dimension", ""},
-                                    [](const Case& c) { return c.system.dimension > 1; },
-                                    "two or three dimensions"};
-constexpr Condition only_spread = {
-    {"polydispersity.distribution", ""},
-    [](const Case& c) { return c.polydispersity.distribution.has_value(); },
-    "a polydispersity.distribution"};
-constexpr Condition only_with_snapshots = {
-    {"output.snapshot_interval", ""},
-    [](const Case& c) { return c.output.snapshot_interval.has_value(); },
-    "an output.snapshot_interval"};
-constexpr Condition only_windowed = {
-    {"output.collision_log", ""},
-    [](const Case& c) { return c.output.collision_log == CollisionLog::window; },
-    "output.collision_log = \"window\""};
 
 // Sphere indices are 32-bit in the output file and one sphere needs some hundred bytes.
 // Arrests were met within 2e6 collisions; a longer window than this only delays the verdict.
@@ -180,6 +121,16 @@ constexpr std::array key_table{
         [](Case& c) -> Slot { return &c.collision.energy_loss; }, above_to(0, most_loss),
         &only_fixed_loss,
         "of each collision with more kinetic energy along its normal [mass diameter^2/time^2]"},
+    Key{"collision", "slow_restitution", required,
+        [](Case& c) -> Slot { return &c.collision.slow_restitution; },
+        from_to(0, 1, "1 is elastic"), &only_two_valued,
+        "normal speed after a collision / before, below the threshold"},
+    Key{"collision", "fast_restitution", required,
+        [](Case& c) -> Slot { return &c.collision.fast_restitution; },
+        from_to(0, 1, "1 is elastic"), &only_two_valued, "the same from the threshold on"},
+    Key{"collision", "threshold_speed", required,
+        [](Case& c) -> Slot { return &c.collision.threshold_speed; }, above(0), &only_two_valued,
+        "closing speed along the normal at which the restitution changes [diameters/time]"},
     Key{"collision", "contact_duration", optional,
         [](Case& c) -> Slot { return &c.collision.contact_duration; },
         from_to(0, longest_contact, "0 is off"), nullptr,

@@ -109,6 +109,7 @@ Real ContactLaw<Dim, Real>::restitution(const Collision<Dim, Real>& collision,
   const Real& speed = collision.impact.normal_speed;
   if (collision.made_elastic) return 1;
   if (rules_.models.fixed_loss) return (*rules_.models.fixed_loss)(speed);
+  if (rules_.models.two_valued) return (*rules_.models.two_valued)(speed);
   if (rules_.models.viscoelastic) return (*rules_.models.viscoelastic)(speed);
   return constants.restitution;
 }

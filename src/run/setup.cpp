@@ -113,6 +113,11 @@ ContactRules<Real> contact_rules_of(const Case& values) {
   if (collision.restitution_law == RestitutionLaw::fixed_loss) {
     rules.models.fixed_loss.emplace(from_decimal<Real>(collision.energy_loss));
   }
+  if (collision.restitution_law == RestitutionLaw::two_valued) {
+    rules.models.two_valued = {from_decimal<Real>(collision.slow_restitution),
+                               from_decimal<Real>(collision.fast_restitution),
+                               from_decimal<Real>(collision.threshold_speed)};
+  }
   rules.models.contact_duration = from_decimal<Real>(collision.contact_duration);
   rules.models.rotation_angle = from_decimal<Real>(collision.rotation_angle);
   rules.models.seed = values.start.seed;

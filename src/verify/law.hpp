@@ -34,6 +34,11 @@ class Law {
       viscoelastic_.emplace(in_precision(collision.viscoelastic_constant, collision.precision));
     } else if (collision.restitution_law == RestitutionLaw::fixed_loss) {
       fixed_loss_ = in_precision(collision.energy_loss, collision.precision);
+    } else if (collision.restitution_law == RestitutionLaw::two_valued) {
+      two_valued_ = TwoValues{in_precision(collision.slow_restitution, collision.precision),
+                              in_precision(collision.fast_restitution, collision.precision),
+                              in_precision(collision.threshold_speed, collision.precision),
+                              collision.precision == Precision::double_precision};
     }
   }
 
@@ -69,6 +74,9 @@ class Law {
     if ((row.flags & collision_flag::made_elastic) != 0) return 1;
     if (row.j >= spheres_) return wall_restitution_;
     if (fixed_loss_ > 0) return parting_speed(row) / row.normal_speed;
+    if (two_valued_) {
+      return row.normal_speed < two_valued_->threshold ? two_valued_->slow : two_valued_->fast;
+    }
     if (viscoelastic_) return (*viscoelastic_)(row.normal_speed);
     return table_ ? constants(row).restitution : restitution_;
   }
@@ -135,9 +143,21 @@ class Law {
 
   /// Whether the rounding of the logged speed hides on which side of the fixed loss it was.
   bool is_borderline(const CollisionRow& row) const {
+    if (two_valued_ && !two_valued_->is_exact && row.j < spheres_) {
+      const Number& threshold = two_valued_->threshold;
+      return std::abs(row.normal_speed - threshold) <= double_rounding * threshold;
+    }
     return fixed_loss_ > 0 && row.j < spheres_ && excess(row) != 0 &&
            std::abs(excess(row)) <= 16 * double_rounding * fixed_loss_;
   }
+
+  /// The restitution below a speed and from there on.
+  struct TwoValues {
+    Number slow;
+    Number fast;
+    Number threshold;
+    bool is_exact;  ///< logged speeds are those of the engine
+  };
 
   std::int64_t spheres_;
   Grains<double> grains_;
@@ -149,6 +169,7 @@ class Law {
   bool rotates_;
   Number fixed_loss_ = 0;  ///< 0: not the law of this case
   std::optional<ViscoelasticRestitution<Number>> viscoelastic_;
+  std::optional<TwoValues> two_valued_;
 };
 
 }  // namespace zenosphere::verify
