@@ -9,6 +9,7 @@
 #include "engine/arrangement.hpp"
 #include "model/average_start.hpp"
 #include "model/gap_threshold.hpp"
+#include "model/oscillation.hpp"
 #include "model/overlap_rule.hpp"
 #include "model/precision.hpp"
 
@@ -95,6 +96,12 @@ struct Case {
     std::optional<Friction> friction{};  ///< of rough spheres; none: unbounded
     double lower_speed = 0;              ///< of the wall along x, diameters/time
     double upper_speed = 0;
+    std::optional<OscillationShape> motion{};  ///< of the lower wall along the axis; none: it rests
+    double amplitude = 0;                      ///< diameters
+    double frequency = 0;                      ///< 1/time
+    double resting_flight = 1e-4;  ///< of a sphere that rests on it, periods; 0: it cannot rest
+    std::optional<double> lower_temperature{};  ///< mass (diameter/time)^2; none: not thermal
+    std::optional<double> upper_temperature{};
   } walls;
   struct Gravity {
     std::vector<double> acceleration{};  ///< D components, diameters/time^2; empty: none

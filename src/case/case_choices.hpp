@@ -37,6 +37,8 @@ inline constexpr std::array log_words{Word{"all", CollisionLog::all},
 inline constexpr std::array distribution_words{Word{"uniform", SizeDistribution::uniform},
                                                Word{"normal", SizeDistribution::normal},
                                                Word{"lognormal", SizeDistribution::lognormal}};
+inline constexpr std::array motion_words{Word{"sinusoidal", OscillationShape::sinusoidal},
+                                         Word{"parabolic", OscillationShape::parabolic}};
 inline constexpr std::array spacing_words{Word{"linear", SnapshotSpacing::linear},
                                           Word{"log", SnapshotSpacing::logarithmic}};
 
@@ -48,6 +50,7 @@ inline const auto& words_of(OverlapRule) { return overlap_words; }
 inline const auto& words_of(RestitutionLaw) { return law_words; }
 inline const auto& words_of(CollisionLog) { return log_words; }
 inline const auto& words_of(SnapshotSpacing) { return spacing_words; }
+inline const auto& words_of(OscillationShape) { return motion_words; }
 inline const auto& words_of(SizeDistribution) { return distribution_words; }
 
 /// The word for a choice.

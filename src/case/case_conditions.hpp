@@ -57,6 +57,10 @@ inline constexpr Condition only_sliding = {
     {"walls.axis", ""},
     [](const Case& c) { return c.walls.axis.has_value() && c.walls.axis != Axis::x; },
     "walls normal to y or z, which can move along x"};
+inline constexpr Condition only_oscillating = {
+    {"walls.motion", ""},
+    [](const Case& c) { return c.walls.motion.has_value(); },
+    "a walls.motion"};
 inline constexpr Condition only_turning = {{"system.dimension", ""},
                                            [](const Case& c) { return c.system.dimension > 1; },
                                            "two or three dimensions"};

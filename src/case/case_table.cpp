@@ -43,6 +43,12 @@ constexpr double most_friction = 1e100;
 // A right angle: a pair may still recede then, whatever its velocity.
 constexpr double widest_rotation = 1.57;
 
+// Far above the rounding of places, of which the wall has to be clear.
+constexpr double least_amplitude = 1e-9;
+// A sphere that rests is let go a thousand times in a period at least: its height is 1e-6 of the
+// way of the wall then.
+constexpr double longest_resting_flight = 1e-3;
+
 constexpr auto required = Presence::required;
 constexpr auto optional = Presence::optional;
 constexpr auto with_table = Presence::with_table;
@@ -101,6 +107,23 @@ constexpr std::array key_table{
         &only_sliding, "of the lower wall, along x [diameters/time]"},
     Key{"walls", "upper_speed", optional, [](Case& c) -> Slot { return &c.walls.upper_speed; }, any,
         &only_sliding, "of the upper wall, along x [diameters/time]"},
+    Key{"walls", "motion", optional, [](Case& c) -> Slot { return &c.walls.motion; }, any,
+        &only_walled, "of the lower wall along the axis, from its lowest place, 0, and back"},
+    Key{"walls", "amplitude", required, [](Case& c) -> Slot { return &c.walls.amplitude; },
+        from_to(least_amplitude, longest_side), &only_oscillating,
+        "of that motion: half the way from the lowest to the highest place [diameters]"},
+    Key{"walls", "frequency", required, [](Case& c) -> Slot { return &c.walls.frequency; },
+        above(0), &only_oscillating, "of that motion: periods in a time unit [1/time]"},
+    Key{"walls", "resting_flight", optional,
+        [](Case& c) -> Slot { return &c.walls.resting_flight; },
+        from_to(0, longest_resting_flight, "0 is off"), &only_oscillating,
+        "a sphere that would be back on that wall sooner is let go for so long [periods]"},
+    Key{"walls", "lower_temperature", optional,
+        [](Case& c) -> Slot { return &c.walls.lower_temperature; }, above(0), &only_walled,
+        "makes the lower wall a thermal one [mass diameter^2/time^2]"},
+    Key{"walls", "upper_temperature", optional,
+        [](Case& c) -> Slot { return &c.walls.upper_temperature; }, above(0), &only_walled,
+        "makes the upper wall a thermal one [mass diameter^2/time^2]"},
     Key{"gravity", "acceleration", with_table,
         [](Case& c) -> Slot { return &c.gravity.acceleration; }, any, nullptr,
         "of every sphere [diameters/time^2]"},

@@ -36,6 +36,8 @@ struct Observables {
   double normal_speed = 0;                     ///< mean closing speed of the collisions
   double other_work = 0;                       ///< of gravity, walls, kicks, per volume and time
   std::vector<double> wall_pressure{};         ///< on the lower and the upper wall; else empty
+  std::vector<double> wall_work{};     ///< of each, where one oscillates or is thermal: the energy
+                                       ///< that it gives, per area and time
   std::vector<double> streak_modes{};  ///< amplitudes, root mean square, diameter/time: streaks.hpp
   std::optional<double> rotational_temperature{};  ///< mean of I w^2 over the axes; of spins
   std::vector<double> temperature_of_kind{};       ///< each, where there are several kinds
@@ -57,6 +59,7 @@ struct Observables {
     visit("normal_speed", self.normal_speed, number, Mean::over_collisions);
     visit("other_work", self.other_work, number, Mean::over_time);
     visit("wall_pressure", self.wall_pressure, Shape::row, Mean::over_time);
+    visit("wall_work", self.wall_work, Shape::row, Mean::over_time);
     visit("streak_modes", self.streak_modes, Shape::row, Mean::of_squares);
     visit("rotational_temperature", self.rotational_temperature, number, Mean::over_time);
     visit("temperature_of_kind", self.temperature_of_kind, Shape::row, Mean::over_time);

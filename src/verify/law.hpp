@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -28,7 +30,9 @@ class Law {
         inertia_(values.system.dimension == 3 ? 0.4L : 0.5L),
         restitution_(in_precision(values.system.restitution, values.collision.precision)),
         wall_restitution_(in_precision(values.walls.restitution, values.collision.precision)),
-        rotates_(values.collision.rotation_angle > 0) {
+        rotates_(values.collision.rotation_angle > 0),
+        is_thermal_{values.walls.lower_temperature.has_value(),
+                    values.walls.upper_temperature.has_value()} {
     const auto& collision = values.collision;
     if (collision.restitution_law == RestitutionLaw::viscoelastic) {
       viscoelastic_.emplace(in_precision(collision.viscoelastic_constant, collision.precision));
@@ -99,6 +103,10 @@ class Law {
   /// Energy that a collision takes, mass diameter^2/time^2; a rotation takes none.
   Number loss(const CollisionRow& row) const {
     if (!(row.normal_speed > 0)) return 0;
+    // A thermal wall exchanges heat, and an oscillating one keeps up what rests on it.
+    const bool is_wall = row.j >= spheres_;
+    if (is_wall && is_thermal_[static_cast<std::size_t>(row.j - spheres_)]) return 0;
+    if ((row.flags & collision_flag::resting) != 0) return 0;
     if (loses_fixed_energy(row)) return fixed_loss_;
     const Number speed = row.normal_speed;
     const Number e = restitution(row);
@@ -141,7 +149,7 @@ class Law {
     return loses_fixed_energy(row) ? std::sqrt(excess(row)) : row.normal_speed;
   }
 
-  /// Whether the rounding of the logged speed hides on which side of the fixed loss it was.
+  /// Whether the rounding of the logged speed hides on which side of a threshold it was.
   bool is_borderline(const CollisionRow& row) const {
     if (two_valued_ && !two_valued_->is_exact && row.j < spheres_) {
       const Number& threshold = two_valued_->threshold;
@@ -167,7 +175,8 @@ class Law {
   Number restitution_;
   Number wall_restitution_;
   bool rotates_;
-  Number fixed_loss_ = 0;  ///< 0: not the law of this case
+  std::array<bool, 2> is_thermal_;  ///< the lower and the upper wall
+  Number fixed_loss_ = 0;           ///< 0: not the law of this case
   std::optional<ViscoelasticRestitution<Number>> viscoelastic_;
   std::optional<TwoValues> two_valued_;
 };
