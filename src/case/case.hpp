@@ -9,13 +9,14 @@
 #include "engine/arrangement.hpp"
 #include "model/average_start.hpp"
 #include "model/gap_threshold.hpp"
+#include "model/oscillation.hpp"
 #include "model/overlap_rule.hpp"
 #include "model/precision.hpp"
 
 namespace zenosphere {
 
 enum class DriveKind { none, shear, random };
-enum class RestitutionLaw { constant, viscoelastic, fixed_loss };
+enum class RestitutionLaw { constant, viscoelastic, fixed_loss, two_valued };
 enum class CollisionLog { all, window, none };
 enum class SnapshotSpacing { linear, logarithmic };
 enum class Axis { x, y, z };
@@ -95,6 +96,12 @@ struct Case {
     std::optional<Friction> friction{};  ///< of rough spheres; none: unbounded
     double lower_speed = 0;              ///< of the wall along x, diameters/time
     double upper_speed = 0;
+    std::optional<OscillationShape> motion{};  ///< of the lower wall along the axis; none: it rests
+    double amplitude = 0;                      ///< diameters
+    double frequency = 0;                      ///< 1/time
+    double resting_flight = 1e-4;  ///< of a sphere that rests on it, periods; 0: it cannot rest
+    std::optional<double> lower_temperature{};  ///< mass (diameter/time)^2; none: not thermal
+    std::optional<double> upper_temperature{};
   } walls;
   struct Gravity {
     std::vector<double> acceleration{};  ///< D components, diameters/time^2; empty: none
@@ -106,6 +113,9 @@ struct Case {
     RestitutionLaw restitution_law = RestitutionLaw::constant;
     double viscoelastic_constant = 0;  ///< A, (time/diameter)^(1/5)
     double energy_loss = 0;            ///< of an energetic collision, mass diameter^2/time^2
+    double slow_restitution = 0;       ///< of RestitutionLaw::two_valued: below the threshold
+    double fast_restitution = 0;       ///< from the threshold on
+    double threshold_speed = 0;        ///< diameters/time
     double contact_duration = 0;       ///< of the TC model, time; 0: not used
     double rotation_angle = 0;         ///< largest, radians; 0: not used
     std::optional<double> tangential_restitution;  ///< beta0; none: smooth spheres

@@ -28,15 +28,17 @@ inline constexpr std::array axis_words{Word{"x", Axis::x}, Word{"y", Axis::y}, W
 inline constexpr std::array overlap_words{
     Word{"rewind", OverlapRule::rewind}, Word{"immediate", OverlapRule::immediate},
     Word{"guarded", OverlapRule::guarded}, Word{"stop", OverlapRule::stop}};
-inline constexpr std::array law_words{Word{"constant", RestitutionLaw::constant},
-                                      Word{"viscoelastic", RestitutionLaw::viscoelastic},
-                                      Word{"fixed-loss", RestitutionLaw::fixed_loss}};
+inline constexpr std::array law_words{
+    Word{"constant", RestitutionLaw::constant}, Word{"viscoelastic", RestitutionLaw::viscoelastic},
+    Word{"fixed-loss", RestitutionLaw::fixed_loss}, Word{"two-valued", RestitutionLaw::two_valued}};
 inline constexpr std::array log_words{Word{"all", CollisionLog::all},
                                       Word{"window", CollisionLog::window},
                                       Word{"none", CollisionLog::none}};
 inline constexpr std::array distribution_words{Word{"uniform", SizeDistribution::uniform},
                                                Word{"normal", SizeDistribution::normal},
                                                Word{"lognormal", SizeDistribution::lognormal}};
+inline constexpr std::array motion_words{Word{"sinusoidal", OscillationShape::sinusoidal},
+                                         Word{"parabolic", OscillationShape::parabolic}};
 inline constexpr std::array spacing_words{Word{"linear", SnapshotSpacing::linear},
                                           Word{"log", SnapshotSpacing::logarithmic}};
 
@@ -48,6 +50,7 @@ inline const auto& words_of(OverlapRule) { return overlap_words; }
 inline const auto& words_of(RestitutionLaw) { return law_words; }
 inline const auto& words_of(CollisionLog) { return log_words; }
 inline const auto& words_of(SnapshotSpacing) { return spacing_words; }
+inline const auto& words_of(OscillationShape) { return motion_words; }
 inline const auto& words_of(SizeDistribution) { return distribution_words; }
 
 /// The word for a choice.

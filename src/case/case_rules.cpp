@@ -109,13 +109,15 @@ std::vector<Rule> all_rules() {
       {{"gravity.acceleration", "system.dimension"}, gravity_has_other_dimension},
       {{"collision.rotation_angle", "system.dimension"}, rotation_on_a_line},
       {{"start.granular_temperature", "drive.kind", "drive.shear_rate", "gravity.acceleration",
-        "walls.lower_speed", "walls.upper_speed"},
+        "walls.lower_speed", "walls.upper_speed", "walls.motion"},
        nothing_moves},
       {{"start.velocities", "start.arrangement", "start.granular_temperature", "drive.kind",
-        "drive.shear_rate", "gravity.acceleration", "walls.lower_speed", "walls.upper_speed"},
+        "drive.shear_rate", "gravity.acceleration", "walls.lower_speed", "walls.upper_speed",
+        "walls.motion"},
        nothing_moves_as_given},
       {{"output.log_last", "output.log_first"}, log_ends_before_it_begins}};
   rules.insert(rules.end(), others.begin(), others.end());
+  rules.insert(rules.end(), wall_rules().begin(), wall_rules().end());
   rules.insert(rules.end(), grain_rules().begin(), grain_rules().end());
   rules.insert(rules.end(), speed_rules().begin(), speed_rules().end());
   return rules;
@@ -161,7 +163,8 @@ bool is_driven(const Case& values) {
   const auto kind = values.drive.kind;
   const auto& acceleration = values.gravity.acceleration;
   const bool falls = !std::all_of(acceleration.begin(), acceleration.end(), is_zero);
-  const bool walls_move = values.walls.lower_speed != 0 || values.walls.upper_speed != 0;
+  const bool walls_move = values.walls.lower_speed != 0 || values.walls.upper_speed != 0 ||
+                          values.walls.motion.has_value();
   return (kind == DriveKind::shear && values.drive.shear_rate > 0) || kind == DriveKind::random ||
          falls || walls_move;
 }

@@ -27,6 +27,9 @@ std::span<const Rule> box_rules();
 /// The rules about speeds: what a number type can hold, and tell apart.
 std::span<const Rule> speed_rules();
 
+/// The rules about walls that oscillate or are thermal.
+std::span<const Rule> wall_rules();
+
 /// The rules about what the spheres are and how they touch.
 std::span<const Rule> grain_rules();
 

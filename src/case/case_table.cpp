@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "case/case_box.hpp"
+#include "case/case_conditions.hpp"
 #include "model/limits.hpp"
 #include "text/spelling.hpp"
 
@@ -26,66 +27,6 @@ constexpr Range above_to(double low, double high, std::string_view note = "") {
 }
 constexpr Range any = from_to(-unbounded, unbounded);
 
-constexpr Condition only_without_sides = {{"system.sides", ""},
-                                          [](const Case& c) { return c.system.sides.empty(); },
-                                          "a box without system.sides"};
-constexpr Condition only_in_a_proportion = {
-    {"system.dimension", "system.sides"},
-    [](const Case& c) { return c.system.dimension > 1 && c.system.sides.empty(); },
-    "two or three dimensions, without system.sides"};
-constexpr Condition only_given = {
-    {"start.arrangement", ""},
-    [](const Case& c) { return c.start.arrangement == Arrangement::given; },
-    "start.arrangement = \"given\""};
-constexpr Condition only_from_file = {
-    {"start.arrangement", ""},
-    [](const Case& c) { return c.start.arrangement == Arrangement::file; },
-    "start.arrangement = \"file\""};
-constexpr Condition only_constant = {
-    {"collision.restitution_law", ""},
-    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::constant; },
-    "collision.restitution_law = \"constant\""};
-constexpr Condition only_viscoelastic = {
-    {"collision.restitution_law", ""},
-    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::viscoelastic; },
-    "collision.restitution_law = \"viscoelastic\""};
-constexpr Condition only_fixed_loss = {
-    {"collision.restitution_law", ""},
-    [](const Case& c) { return c.collision.restitution_law == RestitutionLaw::fixed_loss; },
-    "collision.restitution_law = \"fixed-loss\""};
-constexpr Condition only_sheared = {{"drive.kind", ""},
-                                    [](const Case& c) { return c.drive.kind == DriveKind::shear; },
-                                    "drive.kind = \"shear\""};
-constexpr Condition only_kicked = {{"drive.kind", ""},
-                                   [](const Case& c) { return c.drive.kind == DriveKind::random; },
-                                   "drive.kind = \"random\""};
-constexpr Condition only_walled = {{"walls.axis", ""},
-                                   [](const Case& c) { return c.walls.axis.has_value(); },
-                                   "walls with an axis"};
-constexpr Condition only_touched = {
-    {"walls.axis", "system.dimension"},
-    [](const Case& c) { return c.walls.axis.has_value() && c.system.dimension > 1; },
-    "walls in two or three dimensions"};
-constexpr Condition only_sliding = {
-    {"walls.axis", ""},
-    [](const Case& c) { return c.walls.axis.has_value() && c.walls.axis != Axis::x; },
-    "walls normal to y or z, which can move along x"};
-constexpr Condition only_turning = {{"system.dimension", ""},
-                                    [](const Case& c) { return c.system.dimension > 1; },
-                                    "two or three dimensions"};
-constexpr Condition only_spread = {
-    {"polydispersity.distribution", ""},
-    [](const Case& c) { return c.polydispersity.distribution.has_value(); },
-    "a polydispersity.distribution"};
-constexpr Condition only_with_snapshots = {
-    {"output.snapshot_interval", ""},
-    [](const Case& c) { return c.output.snapshot_interval.has_value(); },
-    "an output.snapshot_interval"};
-constexpr Condition only_windowed = {
-    {"output.collision_log", ""},
-    [](const Case& c) { return c.output.collision_log == CollisionLog::window; },
-    "output.collision_log = \"window\""};
-
 // Sphere indices are 32-bit in the output file and one sphere needs some hundred bytes.
 // Arrests were met within 2e6 collisions; a longer window than this only delays the verdict.
 constexpr double longest_window = 1e8;
@@ -101,6 +42,12 @@ constexpr double most_loss = 1e300;
 constexpr double most_friction = 1e100;
 // A right angle: a pair may still recede then, whatever its velocity.
 constexpr double widest_rotation = 1.57;
+
+// Far above the rounding of places, of which the wall has to be clear.
+constexpr double least_amplitude = 1e-9;
+// A sphere that rests is let go a thousand times in a period at least: its height is 1e-6 of the
+// way of the wall then.
+constexpr double longest_resting_flight = 1e-3;
 
 constexpr auto required = Presence::required;
 constexpr auto optional = Presence::optional;
@@ -160,6 +107,23 @@ constexpr std::array key_table{
         &only_sliding, "of the lower wall, along x [diameters/time]"},
     Key{"walls", "upper_speed", optional, [](Case& c) -> Slot { return &c.walls.upper_speed; }, any,
         &only_sliding, "of the upper wall, along x [diameters/time]"},
+    Key{"walls", "motion", optional, [](Case& c) -> Slot { return &c.walls.motion; }, any,
+        &only_walled, "of the lower wall along the axis, from its lowest place, 0, and back"},
+    Key{"walls", "amplitude", required, [](Case& c) -> Slot { return &c.walls.amplitude; },
+        from_to(least_amplitude, longest_side), &only_oscillating,
+        "of that motion: half the way from the lowest to the highest place [diameters]"},
+    Key{"walls", "frequency", required, [](Case& c) -> Slot { return &c.walls.frequency; },
+        above(0), &only_oscillating, "of that motion: periods in a time unit [1/time]"},
+    Key{"walls", "resting_flight", optional,
+        [](Case& c) -> Slot { return &c.walls.resting_flight; },
+        from_to(0, longest_resting_flight, "0 is off"), &only_oscillating,
+        "a sphere that would be back on that wall sooner is let go for so long [periods]"},
+    Key{"walls", "lower_temperature", optional,
+        [](Case& c) -> Slot { return &c.walls.lower_temperature; }, above(0), &only_walled,
+        "makes the lower wall a thermal one [mass diameter^2/time^2]"},
+    Key{"walls", "upper_temperature", optional,
+        [](Case& c) -> Slot { return &c.walls.upper_temperature; }, above(0), &only_walled,
+        "makes the upper wall a thermal one [mass diameter^2/time^2]"},
     Key{"gravity", "acceleration", with_table,
         [](Case& c) -> Slot { return &c.gravity.acceleration; }, any, nullptr,
         "of every sphere [diameters/time^2]"},
@@ -180,6 +144,16 @@ constexpr std::array key_table{
         [](Case& c) -> Slot { return &c.collision.energy_loss; }, above_to(0, most_loss),
         &only_fixed_loss,
         "of each collision with more kinetic energy along its normal [mass diameter^2/time^2]"},
+    Key{"collision", "slow_restitution", required,
+        [](Case& c) -> Slot { return &c.collision.slow_restitution; },
+        from_to(0, 1, "1 is elastic"), &only_two_valued,
+        "normal speed after a collision / before, below the threshold"},
+    Key{"collision", "fast_restitution", required,
+        [](Case& c) -> Slot { return &c.collision.fast_restitution; },
+        from_to(0, 1, "1 is elastic"), &only_two_valued, "the same from the threshold on"},
+    Key{"collision", "threshold_speed", required,
+        [](Case& c) -> Slot { return &c.collision.threshold_speed; }, above(0), &only_two_valued,
+        "closing speed along the normal at which the restitution changes [diameters/time]"},
     Key{"collision", "contact_duration", optional,
         [](Case& c) -> Slot { return &c.collision.contact_duration; },
         from_to(0, longest_contact, "0 is off"), nullptr,

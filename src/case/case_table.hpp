@@ -33,8 +33,9 @@ using Slot =
     std::variant<double*, int*, std::int64_t*, std::uint64_t*, bool*, std::optional<double>*,
                  std::optional<std::int64_t>*, Arrangement*, DriveKind*, OverlapRule*, Precision*,
                  GapThreshold*, AverageStart*, SnapshotSpacing*, RestitutionLaw*, CollisionLog*,
-                 std::optional<Axis>*, std::optional<SizeDistribution>*, std::optional<Friction>*,
-                 std::string*, std::vector<double>*, std::vector<std::vector<double>>*>;
+                 std::optional<Axis>*, std::optional<OscillationShape>*,
+                 std::optional<SizeDistribution>*, std::optional<Friction>*, std::string*,
+                 std::vector<double>*, std::vector<std::vector<double>>*>;
 
 /// Most spheres whose positions a case file may write down: they make it 15 MB large.
 inline constexpr std::size_t most_written_spheres = 100'000;

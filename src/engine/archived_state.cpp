@@ -150,6 +150,8 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
                    "a kind that there is not");
   make_law();
   if (law_) archive(*law_);
+  make_walls();
+  if (moving_walls_) archive(*moving_walls_);
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Real& time = times[static_cast<std::size_t>(i)];
     require_possible(i);
@@ -168,6 +170,7 @@ void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   archive(times);
   archive_clock(*this, archive);
   if (law_) archive(*law_);
+  if (moving_walls_) archive(*moving_walls_);
 }
 
 /// Whether a sphere and one behind it, or a sphere and a wall, can collide.

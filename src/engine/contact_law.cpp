@@ -81,7 +81,8 @@ void ContactLaw<Dim, Real>::collide(Collision<Dim, Real>& collision,
 
 template <int Dim, class Real>
 void ContactLaw<Dim, Real>::bounce(Collision<Dim, Real>& collision, Walls<Real> walls, int side,
-                                   const Vector& velocity, const Bodies<Dim, Real>& bodies) {
+                                   const Vector& velocity, const Bodies<Dim, Real>& bodies,
+                                   const Real& least) {
   if (!last_contact_.empty()) {
     collision.made_elastic = is_lasting(collision, collision.i);
     last_contact_[static_cast<std::size_t>(collision.i)] = collision.time;
@@ -92,8 +93,9 @@ void ContactLaw<Dim, Real>::bounce(Collision<Dim, Real>& collision, Walls<Real> 
                                      walls.friction};
   if (!bodies.spins.empty()) walls.tangential_restitution = -1;  // friction takes its place
   const auto bounce = wall_impact(walls, side, velocity, bodies.grains.mass(collision.i),
-                                  bodies.grains.radius(collision.i));
+                                  bodies.grains.radius(collision.i), least);
   collision.impact = bounce.impact;
+  collision.resting = bounce.rests;
   collision.change = bounce.change;
   if (bodies.spins.empty() || !(collision.impact.impulse > 0)) return;
   Vector dv = velocity * Real(-1);  // of the wall, as the sphere sees it
@@ -109,6 +111,7 @@ Real ContactLaw<Dim, Real>::restitution(const Collision<Dim, Real>& collision,
   const Real& speed = collision.impact.normal_speed;
   if (collision.made_elastic) return 1;
   if (rules_.models.fixed_loss) return (*rules_.models.fixed_loss)(speed);
+  if (rules_.models.two_valued) return (*rules_.models.two_valued)(speed);
   if (rules_.models.viscoelastic) return (*rules_.models.viscoelastic)(speed);
   return constants.restitution;
 }

@@ -67,9 +67,10 @@ class ContactLaw {
 
   /// The same for a bounce off a wall.
   ///
-  /// \param velocity  of the sphere
+  /// \param velocity  of the sphere, along the normal relative to the wall
+  /// \param least     see wall_impact()
   void bounce(Collision<Dim, Real>& collision, Walls<Real> walls, int side, const Vector& velocity,
-              const Bodies<Dim, Real>& bodies);
+              const Bodies<Dim, Real>& bodies, const Real& least = Real(0));
 
   /// What a collision changes of the spin of a sphere, i or j.
   Spin<Dim, Real> change_of_spin(const Collision<Dim, Real>& collision, std::int32_t sphere,

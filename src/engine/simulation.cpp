@@ -34,6 +34,7 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<
   assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
   assert(!rules.table || grains().kind_count() <= rules.table->kinds());
   make_law();
+  make_walls();
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
 }
 
@@ -65,7 +66,8 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(doubl
     } else if (meeting.is_overlap() && rules_.overlap == OverlapRule::stop && has_begun(now_)) {
       const std::int32_t j = meeting.partner();
       const auto [a, b] = std::minmax(i, j);
-      stopped_before_ = {a, b, gap_at_last_change(a, b, neighbour(a, b, meeting.time))};
+      stopped_before_ = {a, b,
+                         gap_at_last_change(a, b, neighbour(a, b, meeting.time), meeting.time)};
     } else {
       return next_with(i);
     }
@@ -103,7 +105,7 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   collision.j = std::max(i, meeting.partner());
   const Real when = meeting.time;
   const Neighbour neighbour = this->neighbour(collision.i, collision.j, when);
-  collision.gap_before = gap_at_last_change(collision.i, collision.j, neighbour);
+  collision.gap_before = gap_at_last_change(collision.i, collision.j, neighbour, when);
 
   now_.remainder = when;
   // Not copies of now_: to read 16 bytes of which 8 have just been written takes a long wait.
@@ -185,48 +187,6 @@ void Simulation<Dim, Real>::note_change(const Collision<Dim, Real>& collision) {
   }
 }
 
-/// The collision of a sphere with a wall. Its place is known exactly then, half a diameter from
-/// the wall, and so is its speed after a fall: neither is left to rounding.
-template <int Dim, class Real>
-void Simulation<Dim, Real>::bounce(Collision<Dim, Real>& collision, int wall) {
-  const Walls<Real>& walls = *surroundings_.walls;
-  auto& sphere = spheres_[collision.i];
-  const Real outward = wall == 0 ? -1 : 1;
-  const Real acceleration = -outward * surroundings_.acceleration[walls.axis];
-  Real& velocity = sphere.velocity[walls.axis];
-  const Real speed = closing_speed<Real>(wall_gap(collision.i, wall, sphere.time),
-                                         -outward * velocity, acceleration);
-  spheres_.advance(sphere, now_.remainder);
-  const Real radius = this->radius(collision.i);
-  sphere.position[walls.axis] = wall == 0 ? radius : Real(box().sides()[walls.axis] - radius);
-  if (acceleration != 0) velocity = outward * speed;
-  const Vector velocity_in_box =
-      frame_.moves() ? sphere.velocity + frame_.velocity(now_) : sphere.velocity;
-  const Vector before = sphere.velocity;
-  ++sphere.collisions;
-  if (law_) {
-    law_->bounce(collision, walls, wall, velocity_in_box, {grains(), spins()});
-    sphere.velocity += collision.change * grains().inverse_mass(collision.i);
-    const bool turns = turn(collision, collision.i);
-    collision.absorbed = sphere.velocity == before && !turns;
-    return;
-  }
-  const auto [impact, change] = wall_impact(walls, wall, velocity_in_box);
-  collision.impact = impact;
-  collision.change = change;
-  sphere.velocity += collision.change;
-  collision.absorbed = sphere.velocity == before;
-}
-
-/// Surface distance to a wall, diameters.
-template <int Dim, class Real>
-Real Simulation<Dim, Real>::wall_gap(std::int32_t i, int wall, const Real& when) const {
-  const int axis = surroundings_.walls->axis;
-  const Real place = spheres_.position_at(spheres_[i], when)[axis];
-  const Real radius = this->radius(i);
-  return wall == 0 ? place - radius : (box().sides()[axis] - radius) - place;
-}
-
 /// How sphere i sees the sphere j that it meets at `when`; of no meaning where j is a wall.
 template <int Dim, class Real>
 Neighbour Simulation<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const Real& when) const {
@@ -237,19 +197,14 @@ Neighbour Simulation<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const
 /// velocity to their contact, diameters.
 ///
 /// \param neighbour  the image that will be in contact
+/// \param contact    when that will be
 template <int Dim, class Real>
-Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j,
-                                               Neighbour neighbour) const {
+Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j, Neighbour neighbour,
+                                               const Real& contact) const {
   const Real when =
       last_change_.remainder +
       (static_cast<Real>(last_change_.units) - static_cast<Real>(now_.units)) * box().clock_unit();
-  if (const auto wall = this->wall(j)) {
-    const int axis = surroundings_.walls->axis;
-    const Real outward = *wall == 0 ? -1 : 1;
-    return widest_gap<Real>(wall_gap(i, *wall, when),
-                            -outward * spheres_.velocity_at(spheres_[i], when)[axis],
-                            -outward * surroundings_.acceleration[axis]);
-  }
+  if (const auto wall = this->wall(j)) return widest_wall_gap(i, *wall, when, contact);
   return gap(spheres_.motion(i, neighbour, when).dr, spheres_.sigma(i, j));
 }
 

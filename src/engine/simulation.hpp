@@ -15,22 +15,16 @@
 #include "engine/fetching.hpp"
 #include "engine/huge_page_vector.hpp"
 #include "engine/moving_frame.hpp"
+#include "engine/moving_walls.hpp"
 #include "engine/neighbour_lists.hpp"
 #include "engine/next_meetings.hpp"
 #include "engine/rewind_bound.hpp"
 #include "engine/spheres.hpp"
+#include "engine/surroundings.hpp"
 #include "model/collision.hpp"
 #include "model/shear_box.hpp"
-#include "model/walls.hpp"
 
 namespace zenosphere {
-
-/// What acts on the spheres besides each other.
-template <int Dim, class Real>
-struct Surroundings {
-  Vec<Dim, Real> acceleration{};       ///< diameters/time^2
-  std::optional<Walls<Real>> walls{};  ///< their axis is the closed one of the box
-};
 
 /// Event-driven dynamics of inelastic hard spheres.
 ///
@@ -199,6 +193,9 @@ class Simulation {
     return spheres_.lees_edwards_offset(now_.units, now_.remainder);
   }
 
+  /// Velocity of a wall now, diameters/time.
+  Vector wall_velocity(int side) const;
+
   /// Whether the partner j of a collision is a wall: 0 the lower, 1 the upper one.
   std::optional<int> wall(std::int32_t j) const {
     return j < spheres() ? std::nullopt : std::optional<int>(j - spheres());
@@ -211,6 +208,7 @@ class Simulation {
   Meeting<Real> meeting(std::int32_t j, const Real& time) const;
   NextMeetings<Real> one_by_one(std::int32_t i, std::span<const Neighbour> neighbours);
   NextMeetings<Real> with_walls(std::int32_t i);
+  Meeting<Real> with_oscillating_wall(std::int32_t i) const;
   NextMeetings<Real> first_ahead(std::int32_t i);
   void apply_overlap_rule();
   void limit_rewinds();
@@ -236,9 +234,22 @@ class Simulation {
     return spheres_.are_of_one_size() ? Real(0.5) : grains().radius(i);
   }
   void bounce(Collision<Dim, Real>& collision, int wall);
+  void touch_wall(std::int32_t i, int wall);
+  Real touch_oscillating_wall(std::int32_t i);
+  void depart(const Collision<Dim, Real>& collision, const Real& least);
+  Real wall_place(std::int32_t i, const Real& when) const;
   Real wall_gap(std::int32_t i, int wall, const Real& when) const;
+  Real widest_wall_gap(std::int32_t i, int wall, const Real& from, const Real& contact) const;
+  /// The gap of a sphere to the oscillating wall, and the remainder of the clock that it counts
+  /// from.
+  struct CountedGap {
+    OscillationGap<Real> gap;
+    Real from;
+  };
+  CountedGap oscillating_gap(std::int32_t i) const;
   Neighbour neighbour(std::int32_t i, std::int32_t j, const Real& when) const;
-  Real gap_at_last_change(std::int32_t i, std::int32_t j, Neighbour neighbour) const;
+  Real gap_at_last_change(std::int32_t i, std::int32_t j, Neighbour neighbour,
+                          const Real& contact) const;
   void settle(std::int32_t i);
   void rebase(const Real& next_event, const Instant<Real>& limit);
   void set_back(double units);
@@ -284,6 +295,12 @@ class Simulation {
     if (may_turn) spheres_.spins().resize(static_cast<std::size_t>(spheres()));
   }
 
+  void make_walls() {
+    const auto& walls = surroundings_.walls;
+    if (!walls || !MovingWalls<Dim, Real>::are_needed(*walls)) return;
+    moving_walls_.emplace(*walls, spheres(), box().clock_unit());
+  }
+
   NextMeetings<Real>& meetings(std::int32_t i) { return meetings_[static_cast<std::size_t>(i)]; }
   const NextMeetings<Real>& meetings(std::int32_t i) const {
     return meetings_[static_cast<std::size_t>(i)];
@@ -293,7 +310,8 @@ class Simulation {
   Spheres<Dim, Real> spheres_;
   ContactRules<Real> rules_;
   Surroundings<Dim, Real> surroundings_;
-  std::optional<ContactLaw<Dim, Real>> law_;  ///< where impact() does not tell all
+  std::optional<ContactLaw<Dim, Real>> law_;            ///< where impact() does not tell all
+  std::optional<MovingWalls<Dim, Real>> moving_walls_;  ///< where a wall oscillates or is thermal
   Calendar<Real> calendar_;
   HugePageVector<NextMeetings<Real>> meetings_;
   double stride_ = 1;  ///< in which the clock counts, units

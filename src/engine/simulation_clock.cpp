@@ -56,12 +56,13 @@ bool Simulation<Dim, Real>::widen_stride(const Real& leap) {
   return lengthen_stride(stride);
 }
 
-/// Whether energy is only lost: nothing pulls the spheres, and no wall drags them along.
+/// Whether energy is only lost: nothing pulls the spheres, and no wall drags them along or pushes
+/// them.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::only_cools() const {
   const bool is_pulled = !(spheres_.acceleration() == Vector{});
   const auto& walls = surroundings_.walls;
-  return !is_pulled && (!walls || walls->tangential_restitution == -1);
+  return !is_pulled && (!walls || !walls->feed_energy());
 }
 
 /// Lets the clock count in strides of so many units, if that is more. Returns whether it is.

@@ -35,6 +35,7 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   idle_events_ = 0;
   last_change_ = now_;
   rewind_bound_.forget();
+  if (moving_walls_) moving_walls_->forget_departures();
   for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
 }
 
@@ -57,8 +58,10 @@ void Simulation<Dim, Real>::look_around() {
 /// makes them slow, so that they need not be settled so often.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::look_for_rest() {
+  const bool is_pushed = surroundings_.walls && surroundings_.walls->oscillation;
   const bool fly_straight = spheres_.acceleration() == Vector{};
-  at_rest_ = fly_straight && ((!box().is_sheared() && move_as_one()) || nobody_meets());
+  at_rest_ =
+      fly_straight && !is_pushed && ((!box().is_sheared() && move_as_one()) || nobody_meets());
   if (at_rest_ || box().is_sheared()) return;
   Vector mean;
   for (std::int32_t i = 0; i < spheres(); ++i) mean += spheres_[i].velocity;

@@ -54,20 +54,6 @@ NextMeetings<Real> Simulation<Dim, Real>::one_by_one(std::int32_t i,
   return first_ahead(i);
 }
 
-template <int Dim, class Real>
-NextMeetings<Real> Simulation<Dim, Real>::with_walls(std::int32_t i) {
-  ahead_.clear();
-  const int axis = surroundings_.walls->axis;
-  for (const int wall : {0, 1}) {
-    const Real outward = wall == 0 ? -1 : 1;
-    const Real gap = wall_gap(i, wall, now_.remainder);
-    const Real rate = -outward * spheres_[i].velocity[axis];
-    const auto time = closing_time<Real>(gap, rate, -outward * surroundings_.acceleration[axis]);
-    if (time) ahead_.add(spheres() + wall, {*time, gap < 0 && *time <= 0, rate});
-  }
-  return first_ahead(i);
-}
-
 /// The first of the contacts ahead of i. A sphere that touches another one while they approach
 /// overlaps it; one that stands on a wall does not.
 template <int Dim, class Real>
@@ -114,7 +100,7 @@ void Simulation<Dim, Real>::limit_rewinds() {
 
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::is_stale(const Meeting<Real>& meeting) const {
-  if (wall(meeting.partner())) return false;
+  if (wall(meeting.partner())) return meeting.partner_collisions != 0;  // not a contact yet
   return spheres_[meeting.partner()].collisions != meeting.partner_collisions;
 }
 
@@ -125,12 +111,16 @@ bool Simulation<Dim, Real>::is_second_known(const NextMeetings<Real>& next) cons
 }
 
 /// Looks for what comes in place of the first meeting of a sphere, whose partner has met somebody
-/// else.
+/// else; or is a wall that the sphere is only now within reach of.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::go_stale(std::int32_t i) {
   NextMeetings<Real>& next = meetings(i);
   ++stale_events_;
   now_.remainder = std::max(now_.remainder, next.first().time);
+  if (wall(next.first().partner())) {
+    ++idle_events_;
+    return predict(i);
+  }
   if (!is_second_known(next)) return predict(i);
   next.drop_first();
   schedule(i);
@@ -143,6 +133,7 @@ void Simulation<Dim, Real>::schedule(std::int32_t i) {
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                     \
+  template NextMeetings<Real> Simulation<Dim, Real>::first_ahead(std::int32_t);               \
   template void Simulation<Dim, Real>::predict(std::int32_t);                                 \
   template void Simulation<Dim, Real>::look_ahead(std::int32_t);                              \
   template void Simulation<Dim, Real>::predict_new(std::int32_t, std::span<const Neighbour>); \

@@ -37,6 +37,8 @@ struct Observables {
   double normal_speed = 0;                     ///< mean closing speed of the collisions
   double other_work = 0;                       ///< of gravity, walls, kicks, per volume and time
   std::vector<double> wall_pressure{};         ///< on the lower and the upper wall; else empty
+  std::vector<double> wall_work{};  ///< of each, where one oscillates or is thermal: the energy
+                                    ///< that it gives, per area and time
   /// Under shear: (P_xx - P_yy)/pressure and, in three dimensions, (P_yy - P_zz)/pressure.
   std::vector<double> normal_stress_differences{};
   /// Second Sonine coefficient, 0 for Maxwellian velocities: sonine.hpp. Of spheres that are alike,
@@ -63,6 +65,7 @@ struct Observables {
     visit("normal_speed", self.normal_speed, number, Mean::over_collisions);
     visit("other_work", self.other_work, number, Mean::over_time);
     visit("wall_pressure", self.wall_pressure, Shape::row, Mean::over_time);
+    visit("wall_work", self.wall_work, Shape::row, Mean::over_time);
     visit("normal_stress_differences", self.normal_stress_differences, Shape::row,
           Mean::over_pressure);
     visit("sonine_a2", self.sonine_a2, number, Mean::over_time);

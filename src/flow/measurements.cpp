@@ -151,8 +151,11 @@ void Measurements<Dim, Real>::add_wall_contact(const Collision<Dim, Real>& colli
                                   simulation)) /
             2;
   }
-  const Real work = collision.change[0] * simulation.surroundings().walls->speed[side];
+  // What a thermal wall gives is heat, and an oscillating one keeps up a sphere that rests on it.
+  const bool only_gives = collision.resting || simulation.surroundings().walls->is_thermal(wall);
+  const Real work = only_gives ? gain : dot(collision.change, simulation.wall_velocity(wall));
   sums_.wall_impulse[side] += impact.impulse;
+  sums_.work_of_wall[side] += work;
   sums_.wall_work += work;
   sums_.dissipation += work - gain;
 }

@@ -86,7 +86,8 @@ class Measurements {
     std::array<Real, Dim * Dim> collisional{};  ///< sum of r_a J_b
     std::array<Real, 2> wall_impulse{};         ///< normal to the lower and the upper wall
     Real gravity_work = 0;
-    Real wall_work = 0;
+    std::array<Real, 2> work_of_wall{};  ///< of the lower and the upper one
+    Real wall_work = 0;                  ///< of both, and of immobile spheres
     Real kick_work = 0;
     Real dissipation = 0;
     Real normal_speed = 0;
@@ -96,9 +97,9 @@ class Measurements {
 
     template <class Self, class Archive>
     static void archive_state(Self& self, Archive& archive) {
-      archive(self.kinetic, self.collisional, self.wall_impulse, self.gravity_work, self.wall_work,
-              self.kick_work, self.dissipation, self.normal_speed, self.collisions,
-              self.kinetic_of_kind, self.turning_of_kind);
+      archive(self.kinetic, self.collisional, self.wall_impulse, self.gravity_work,
+              self.work_of_wall, self.wall_work, self.kick_work, self.dissipation,
+              self.normal_speed, self.collisions, self.kinetic_of_kind, self.turning_of_kind);
       require_counts(self.collisions);
     }
   };

@@ -189,6 +189,12 @@ Observables Measurements<Dim, Real>::observables(const Sums& before, const Sums&
       averages.wall_pressure.push_back(static_cast<double>(box.sides()[*axis]) *
                                        rate(now.wall_impulse[wall], before.wall_impulse[wall]));
     }
+    const auto& walls = *simulation.surroundings().walls;
+    for (const std::size_t wall : {0, 1}) {
+      if (!MovingWalls<Dim, Real>::are_needed(walls)) break;
+      averages.wall_work.push_back(static_cast<double>(box.sides()[*axis]) *
+                                   rate(now.work_of_wall[wall], before.work_of_wall[wall]));
+    }
   }
   averages.compressibility_factor =
       averages.pressure * static_cast<double>(volume / mobile) / averages.granular_temperature;

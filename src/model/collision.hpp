@@ -27,6 +27,7 @@ struct Collision {
   bool absorbed = false;      ///< no bit of any velocity or spin has changed
   bool made_elastic = false;  ///< by the TC model
   bool sliding = false;       ///< friction was at its limit: the surfaces slid
+  bool resting = false;       ///< of a sphere that rests on an oscillating wall
 };
 
 }  // namespace zenosphere

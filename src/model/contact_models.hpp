@@ -77,6 +77,20 @@ class FixedLossRestitution {
   Real threshold_;
 };
 
+/// Coefficient of restitution of two spheres that has one value below a speed and another one from
+/// there on.
+///
+/// Source: Kikuchi, Kobayashi & Takada, arXiv 2603.19605 (2026).
+template <class Real>
+struct TwoValuedRestitution {
+  Real slow;       ///< in [0, 1]
+  Real fast;       ///< in [0, 1]
+  Real threshold;  ///< > 0, diameters/time
+
+  /// \param normal_speed  closing speed > 0, diameters/time
+  Real operator()(const Real& normal_speed) const { return normal_speed < threshold ? slow : fast; }
+};
+
 /// What a collision of two spheres does beyond a constant restitution. Each model is apart from the
 /// others, and they combine.
 template <class Real>
@@ -84,6 +98,7 @@ struct ContactModels {
   /// In the place of the constant restitution; at most one of them.
   std::optional<ViscoelasticRestitution<Real>> viscoelastic{};
   std::optional<FixedLossRestitution<Real>> fixed_loss{};
+  std::optional<TwoValuedRestitution<Real>> two_valued{};
   /// TC model: a collision of a sphere whose last one was less than this ago is elastic; 0: never.
   /// Source: Luding & McNamara, Granular Matter 1 (1998) 113.
   Real contact_duration = 0;
@@ -93,7 +108,7 @@ struct ContactModels {
   std::uint64_t seed = 1;  ///< of the random angles
 
   bool is_any() const {
-    return viscoelastic || fixed_loss || contact_duration > 0 || rotation_angle > 0;
+    return viscoelastic || fixed_loss || two_valued || contact_duration > 0 || rotation_angle > 0;
   }
 };
 

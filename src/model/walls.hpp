@@ -2,15 +2,19 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "model/contact.hpp"
+#include "model/oscillation.hpp"
 #include "model/vec.hpp"
 
 namespace zenosphere {
 
-/// Two flat walls that close the box along one axis, and how spheres bounce off them.
+/// Two flat walls that close the box along one axis, and how spheres bounce off them. The lower one
+/// may oscillate along the axis; either may be thermal.
 template <class Real>
 struct Walls {
   int axis = 0;                      ///< their normal
@@ -19,6 +23,20 @@ struct Walls {
   Real friction =
       std::numeric_limits<Real>::infinity();  ///< of spheres that turn: ContactConstants
   std::array<Real, 2> speed = {0, 0};  ///< of the lower and the upper wall along x, diameters/time
+  std::optional<Oscillation<Real>> oscillation{};  ///< of the lower wall
+  Real resting_flight = 0;  ///< of a sphere that rests on the oscillating wall, time; 0: none
+  std::array<std::optional<Real>, 2> temperature{};  ///< of each, mass (diameter/time)^2; none: the
+                                                     ///< restitution tells what it does
+  std::uint64_t seed = 1;                            ///< of what thermal walls draw
+
+  bool oscillates(int side) const { return side == 0 && oscillation; }
+  bool is_thermal(int side) const {
+    return temperature[static_cast<std::size_t>(side)].has_value();
+  }
+  /// Whether spheres may become faster by the walls alone.
+  bool feed_energy() const {
+    return oscillation || is_thermal(0) || is_thermal(1) || tangential_restitution != -1;
+  }
 };
 
 /// What a wall does to a sphere that hits it.
@@ -26,6 +44,7 @@ template <int Dim, class Real>
 struct WallImpact {
   Impact<Dim, Real> impact;  ///< the normal points from the sphere to the wall
   Vec<Dim, Real> change;     ///< of the momentum, normal and tangential, mass diameters/time
+  bool rests = false;        ///< the sphere was let go at the least speed
 };
 
 /// The bounce of a sphere that does not turn off one of the walls.
@@ -35,11 +54,12 @@ struct WallImpact {
 /// recedes by rounding gets no impulse.
 ///
 /// \param side      0: lower, 1: upper wall
-/// \param velocity  of the sphere, diameters/time
+/// \param velocity  of the sphere, along the normal relative to the wall, diameters/time
+/// \param least     speed with which it is let go at least; 0: none
 template <int Dim, class Real>
 WallImpact<Dim, Real> wall_impact(const Walls<Real>& walls, int side,
                                   const Vec<Dim, Real>& velocity, const Real& mass = Real(1),
-                                  const Real& radius = Real(0.5)) {
+                                  const Real& radius = Real(0.5), const Real& least = Real(0)) {
   WallImpact<Dim, Real> result;
   Impact<Dim, Real>& impact = result.impact;
   impact.normal[walls.axis] = side == 0 ? -1 : 1;
@@ -48,6 +68,10 @@ WallImpact<Dim, Real> wall_impact(const Walls<Real>& walls, int side,
   impact.impulse = impact.normal_speed > 0
                        ? Real((1 + walls.restitution) * impact.normal_speed * mass)
                        : Real(0);
+  if (least > 0 && impact.impulse / mass - impact.normal_speed < least) {
+    impact.impulse = (impact.normal_speed + least) * mass;
+    result.rests = true;
+  }
   result.change = impact.normal * -impact.impulse;
   if (walls.tangential_restitution == -1 || impact.impulse == 0) return result;
   for (int axis = 0; axis < Dim; ++axis) {
@@ -55,6 +79,23 @@ WallImpact<Dim, Real> wall_impact(const Walls<Real>& walls, int side,
     const Real wall_speed = axis == 0 ? walls.speed[static_cast<std::size_t>(side)] : Real(0);
     result.change[axis] = (1 + walls.tangential_restitution) * (wall_speed - velocity[axis]) * mass;
   }
+  return result;
+}
+
+/// The bounce of a smooth sphere off a thermal wall, which gives it another velocity.
+///
+/// \param after  velocity that it gets, away from the wall along the axis
+template <int Dim, class Real>
+WallImpact<Dim, Real> thermal_impact(const Walls<Real>& walls, int side,
+                                     const Vec<Dim, Real>& velocity, const Vec<Dim, Real>& after,
+                                     const Real& mass = Real(1), const Real& radius = Real(0.5)) {
+  WallImpact<Dim, Real> result;
+  Impact<Dim, Real>& impact = result.impact;
+  impact.normal[walls.axis] = side == 0 ? -1 : 1;
+  impact.distance = radius;
+  impact.normal_speed = dot(impact.normal, velocity);
+  result.change = (after - velocity) * mass;
+  impact.impulse = -dot(impact.normal, result.change);
   return result;
 }
 

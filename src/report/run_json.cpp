@@ -64,7 +64,7 @@ Json json_of(const std::optional<Dissection>& dissection) {
 /// What the page needs to know of the case, in numbers and words.
 Json json_of(const Case& values) {
   static constexpr const char* drives[] = {"none", "shear", "random"};
-  static constexpr const char* laws[] = {"constant", "viscoelastic", "fixed loss"};
+  static constexpr const char* laws[] = {"constant", "viscoelastic", "fixed loss", "two-valued"};
   static constexpr const char* axes[] = {"x", "y", "z"};
   const auto& walls = values.walls.axis;
   const bool is_constant = values.collision.restitution_law == RestitutionLaw::constant;

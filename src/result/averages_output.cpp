@@ -90,8 +90,13 @@ class AverageLines {
     if (!a_.wall_pressure.empty()) {
       text += line("wall pressure", row(&Observables::wall_pressure, 0, a_.wall_pressure.size()));
     }
+    if (!a_.wall_work.empty()) {
+      text += line("work of walls",
+                   row(&Observables::wall_work, 0, a_.wall_work.size()) + " per area and time");
+    }
     return text + sonine_line() + streak_line() + a_.steady_reason +
-           (a_.steady_reason.empty() ? "" : "\n");
+           (a_.steady_reason.empty() ? "" : "
+");
   }
 
  private:

@@ -76,7 +76,8 @@ void require_extents(const Observables& averages, int dimension) {
   const std::size_t walls = averages.wall_pressure.size();
   const bool fits = averages.temperature_diagonal.size() == components &&
                     averages.pressure_tensor.size() == components * components &&
-                    (walls == 0 || walls == 2);
+                    (walls == 0 || walls == 2) &&
+                    (averages.wall_work.empty() || averages.wall_work.size() == walls);
   if (!fits) reject(fmt::format("its averages do not have {} dimensions", dimension));
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "case/case.hpp"
 #include "model/real.hpp"
 
@@ -16,12 +18,16 @@ auto in_arithmetic_of(const Case& values, Action action) {
     return action.template operator()<3, Real>();
   };
   const Precision precision = values.collision.precision;
+#ifdef ZENOSPHERE_DOUBLE_ALONE  // see instantiate.hpp: there is no other engine
+  if (precision != Precision::double_precision) throw std::logic_error("built in double alone");
+#else
   if (precision.is_digits()) {
     const WorkingPrecision here(precision.bits());
     return with(Digits());
   }
   if (precision == Precision::quad) return with(Quad());
   if (precision == Precision::extended) return with(Extended());
+#endif
   return with(double());
 }
 

@@ -35,6 +35,7 @@ class LogRows {
         flag(!(collision.impact.normal_speed > 0), collision_flag::receding) |
         flag(collision.made_elastic, collision_flag::made_elastic) |
         flag(collision.sliding, collision_flag::sliding) |
+        flag(collision.resting, collision_flag::resting) |
         flag(!(collision.flight > 0), collision_flag::clock_stood));
   }
 

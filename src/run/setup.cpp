@@ -54,6 +54,19 @@ Grains<Real> converted(const Grains<double>& grains, const Convert& convert) {
   return result;
 }
 
+/// What of walls moves along their normal or is thermal.
+template <class Real>
+void add_motion_and_heat(const Case& values, Walls<Real>& walls) {
+  const Case::Walls& told = values.walls;
+  walls.seed = values.start.seed;
+  if (told.lower_temperature) walls.temperature[0] = from_decimal<Real>(*told.lower_temperature);
+  if (told.upper_temperature) walls.temperature[1] = from_decimal<Real>(*told.upper_temperature);
+  if (!told.motion) return;
+  const Real period = 1 / from_decimal<Real>(told.frequency);
+  walls.oscillation.emplace(*told.motion, from_decimal<Real>(told.amplitude), period);
+  walls.resting_flight = from_decimal<Real>(told.resting_flight) * period;
+}
+
 /// Positions and velocities that the case gives; laboratory velocities become peculiar ones.
 template <int Dim, class Real>
 Configuration<Dim, Real> given_configuration(const Case& values, const ShearBox<Dim, Real>& box) {
@@ -113,6 +126,11 @@ ContactRules<Real> contact_rules_of(const Case& values) {
   if (collision.restitution_law == RestitutionLaw::fixed_loss) {
     rules.models.fixed_loss.emplace(from_decimal<Real>(collision.energy_loss));
   }
+  if (collision.restitution_law == RestitutionLaw::two_valued) {
+    rules.models.two_valued = {from_decimal<Real>(collision.slow_restitution),
+                               from_decimal<Real>(collision.fast_restitution),
+                               from_decimal<Real>(collision.threshold_speed)};
+  }
   rules.models.contact_duration = from_decimal<Real>(collision.contact_duration);
   rules.models.rotation_angle = from_decimal<Real>(collision.rotation_angle);
   rules.models.seed = values.start.seed;
@@ -137,6 +155,7 @@ Surroundings<Dim, Real> surroundings_of(const Case& values) {
                         : ContactConstants<Real>::unbounded(),
         .speed = {from_decimal<Real>(values.walls.lower_speed),
                   from_decimal<Real>(values.walls.upper_speed)}};
+    add_motion_and_heat(values, *surroundings.walls);
   }
   return surroundings;
 }

@@ -101,6 +101,16 @@ void add_kicks(const Case& values, AlignedLines& lines) {
   lines.add("kicks until run.time", std::floor(*values.run.time / values.drive.kick_interval));
 }
 
+void add_plate(const Case& values, Lines& lines) {
+  const auto& walls = values.walls;
+  if (!walls.motion) return;
+  const Oscillation<double> plate(*walls.motion, walls.amplitude, 1 / walls.frequency);
+  lines.add("peak acceleration of plate", plate.peak_acceleration(), "diameters/time^2");
+  const auto& pull = values.gravity.acceleration;
+  const double gravity = pull.empty() ? 0 : -pull[static_cast<std::size_t>(*walls.axis)];
+  if (gravity > 0) lines.add("the same over gravity", plate.peak_acceleration() / gravity);
+}
+
 template <class Restitution>
 void add_restitution(const Restitution& restitution, AlignedLines& lines) {
   for (const double speed : {1.0, 0.01}) {
@@ -197,6 +207,7 @@ std::string text_in(const Case& values) {
   add_start(values, box.sides()[0], lines);
   if constexpr (Dim > 1) add_shear(values, box.sides()[1], lines);
   add_kicks(values, lines);
+  add_plate(values, lines);
   add_contact(values, lines);
   add_collapse(values, lines);
   add_run(values, lines);

@@ -52,6 +52,7 @@ inline constexpr std::uint8_t receding = 8;       ///< receding by rounding: no 
 inline constexpr std::uint8_t clock_stood = 16;   ///< the clock did not move forward
 inline constexpr std::uint8_t made_elastic = 32;  ///< by the TC model
 inline constexpr std::uint8_t sliding = 64;       ///< of rough surfaces: friction was at its limit
+inline constexpr std::uint8_t resting = 128;      ///< of a sphere that rests on an oscillating wall
 }  // namespace collision_flag
 
 /// Rows of the collision log, column by column as they are stored.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -28,12 +30,19 @@ class Law {
         inertia_(values.system.dimension == 3 ? 0.4L : 0.5L),
         restitution_(in_precision(values.system.restitution, values.collision.precision)),
         wall_restitution_(in_precision(values.walls.restitution, values.collision.precision)),
-        rotates_(values.collision.rotation_angle > 0) {
+        rotates_(values.collision.rotation_angle > 0),
+        is_thermal_{values.walls.lower_temperature.has_value(),
+                    values.walls.upper_temperature.has_value()} {
     const auto& collision = values.collision;
     if (collision.restitution_law == RestitutionLaw::viscoelastic) {
       viscoelastic_.emplace(in_precision(collision.viscoelastic_constant, collision.precision));
     } else if (collision.restitution_law == RestitutionLaw::fixed_loss) {
       fixed_loss_ = in_precision(collision.energy_loss, collision.precision);
+    } else if (collision.restitution_law == RestitutionLaw::two_valued) {
+      two_valued_ = TwoValues{in_precision(collision.slow_restitution, collision.precision),
+                              in_precision(collision.fast_restitution, collision.precision),
+                              in_precision(collision.threshold_speed, collision.precision),
+                              collision.precision == Precision::double_precision};
     }
   }
 
@@ -69,6 +78,9 @@ class Law {
     if ((row.flags & collision_flag::made_elastic) != 0) return 1;
     if (row.j >= spheres_) return wall_restitution_;
     if (fixed_loss_ > 0) return parting_speed(row) / row.normal_speed;
+    if (two_valued_) {
+      return row.normal_speed < two_valued_->threshold ? two_valued_->slow : two_valued_->fast;
+    }
     if (viscoelastic_) return (*viscoelastic_)(row.normal_speed);
     return table_ ? constants(row).restitution : restitution_;
   }
@@ -91,6 +103,10 @@ class Law {
   /// Energy that a collision takes, mass diameter^2/time^2; a rotation takes none.
   Number loss(const CollisionRow& row) const {
     if (!(row.normal_speed > 0)) return 0;
+    // A thermal wall exchanges heat, and an oscillating one keeps up what rests on it.
+    const bool is_wall = row.j >= spheres_;
+    if (is_wall && is_thermal_[static_cast<std::size_t>(row.j - spheres_)]) return 0;
+    if ((row.flags & collision_flag::resting) != 0) return 0;
     if (loses_fixed_energy(row)) return fixed_loss_;
     const Number speed = row.normal_speed;
     const Number e = restitution(row);
@@ -133,11 +149,23 @@ class Law {
     return loses_fixed_energy(row) ? std::sqrt(excess(row)) : row.normal_speed;
   }
 
-  /// Whether the rounding of the logged speed hides on which side of the fixed loss it was.
+  /// Whether the rounding of the logged speed hides on which side of a threshold it was.
   bool is_borderline(const CollisionRow& row) const {
+    if (two_valued_ && !two_valued_->is_exact && row.j < spheres_) {
+      const Number& threshold = two_valued_->threshold;
+      return std::abs(row.normal_speed - threshold) <= double_rounding * threshold;
+    }
     return fixed_loss_ > 0 && row.j < spheres_ && excess(row) != 0 &&
            std::abs(excess(row)) <= 16 * double_rounding * fixed_loss_;
   }
+
+  /// The restitution below a speed and from there on.
+  struct TwoValues {
+    Number slow;
+    Number fast;
+    Number threshold;
+    bool is_exact;  ///< logged speeds are those of the engine
+  };
 
   std::int64_t spheres_;
   Grains<double> grains_;
@@ -147,8 +175,10 @@ class Law {
   Number restitution_;
   Number wall_restitution_;
   bool rotates_;
-  Number fixed_loss_ = 0;  ///< 0: not the law of this case
+  std::array<bool, 2> is_thermal_;  ///< the lower and the upper wall
+  Number fixed_loss_ = 0;           ///< 0: not the law of this case
   std::optional<ViscoelasticRestitution<Number>> viscoelastic_;
+  std::optional<TwoValues> two_valued_;
 };
 
 }  // namespace zenosphere::verify

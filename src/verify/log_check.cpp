@@ -106,6 +106,12 @@ void LogCheck::check_flags(const CollisionRow& row, Findings& findings) const {
                     "collision.contact_duration = 0)",
                     row.k, row.flags));
   }
+  const bool may_rest = values_.walls.motion && row.j == spheres_;
+  if (has(row, collision_flag::resting) && !may_rest) {
+    findings.add(fmt::format(
+        "collision {}: flags = {} (flag 128 is for spheres that rest on a wall that oscillates)",
+        row.k, row.flags));
+  }
   if (has(row, collision_flag::sliding) && !law_.is_rough()) {
     findings.add(fmt::format(
         "collision {}: flags = {} (flag 64 is for rough spheres that slide, and these are smooth)",

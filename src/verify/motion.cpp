@@ -160,21 +160,25 @@ Meeting<Dim> Motion<Dim>::meeting(const Body<Dim>& first, const Body<Dim>& secon
 }
 
 template <int Dim>
-Meeting<Dim> Motion<Dim>::wall_meeting(const Body<Dim>& body, int wall, Number time) const {
+Meeting<Dim> Motion<Dim>::wall_meeting(const Body<Dim>& body, int wall, Number time,
+                                       const WallState& state) const {
   const Body<Dim> a = moved(body, time);
   const int axis = *closed_;
   const Number outward = wall == 0 ? -1 : 1;
   Meeting<Dim> meeting;
   meeting.normal[axis] = outward;
   meeting.velocity = a.velocity * Number(-1);
+  meeting.velocity[axis] += state.speed;
   meeting.gap = (wall == 0 ? a.position[axis] : sides_[axis] - a.position[axis]) - a.radius;
-  meeting.closing = outward * a.velocity[axis];
-  meeting.speed = length(a.velocity);
+  meeting.gap -= state.place;
+  meeting.closing = outward * (a.velocity[axis] - state.speed);
+  meeting.speed = length(a.velocity) + state.peak_speed;
   meeting.error = a.position_error + event_error_;
   meeting.normal_error = 0;
   // The engine takes the speed from the height of the fall, this one from its rounded duration.
-  meeting.closing_error = a.velocity_error + 8 * double_rounding * meeting.speed +
-                          2 * std::abs(acceleration_[axis]) * clock_error(time);
+  meeting.closing_error =
+      a.velocity_error + 8 * double_rounding * meeting.speed +
+      2 * (std::abs(acceleration_[axis]) + state.peak_acceleration) * clock_error(time);
   return meeting;
 }
 

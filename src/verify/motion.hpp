@@ -86,7 +86,15 @@ class Motion {
   /// The same in the image that is the nearest at another time: at their contact.
   Meeting<Dim> meeting(const Body<Dim>& first, const Body<Dim>& second, Number time,
                        Number contact) const;
-  Meeting<Dim> wall_meeting(const Body<Dim>& body, int wall, Number time) const;
+  /// \param place  of the wall then, diameters above where it is closed; and its velocity
+  struct WallState {
+    Number place = 0;
+    Number speed = 0;
+    Number peak_speed = 0;  ///< bounds on what rounded times do
+    Number peak_acceleration = 0;
+  };
+  Meeting<Dim> wall_meeting(const Body<Dim>& body, int wall, Number time,
+                            const WallState& state) const;
 
   /// How many boxes lie between two unwrapped places whose nearest images are wanted, and the
   /// vector between them without these.

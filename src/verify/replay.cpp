@@ -18,7 +18,9 @@ Replay<Dim>::Replay(const Case& values, std::int64_t spheres, std::int64_t crite
       motion_(values, spheres, grains.largest_diameter()),
       law_(values, spheres, grains),
       bodies_(static_cast<std::size_t>(spheres)),
-      kicks_(values, spheres, grains) {}
+      kicks_(values, spheres, grains),
+      lower_wall_(values),
+      thermal_walls_(values, spheres, grains) {}
 
 template <int Dim>
 std::optional<int> Replay<Dim>::wall(std::int32_t j) const {
@@ -60,13 +62,14 @@ void Replay<Dim>::start(const Snapshot& snapshot) {
 
 template <int Dim>
 Meeting<Dim> Replay<Dim>::meeting_at(const CollisionRow& row, Number time, Number contact) {
-  if (const auto side = wall(row.j)) return motion_.wall_meeting(body(row.i), *side, time);
+  if (const auto side = wall(row.j)) return wall_meeting(row, *side, time);
   return motion_.meeting(body(row.i), body(row.j), time, contact);
 }
 
 template <int Dim>
 void Replay<Dim>::observe(const CollisionRow& row, Findings& findings) {
   kick_until(row.time);
+  const auto after_thermal_wall = thermal_walls_.observe(row);
   if (!has_start_ || row.k != done_ + 1) {
     ++coverage_.unreached;
     last_.reset();
@@ -81,6 +84,8 @@ void Replay<Dim>::observe(const CollisionRow& row, Findings& findings) {
   const bool is_known = meeting.error <= most_error && !is_in_doubt;
   if (!is_known || !check(row, meeting, findings)) {
     lose(row);
+  } else if (thermal_walls_.is_thermal(row)) {
+    bounce_hot(row, after_thermal_wall);
   } else if (const auto side = wall(row.j)) {
     bounce(row, *side, meeting, findings);
   } else if (const auto impulse = law_.impulse(row)) {
@@ -164,45 +169,6 @@ void Replay<Dim>::collide(const CollisionRow& row, const Meeting<Dim>& meeting, 
     one.velocity_error += growth * inverse_mass + 2 * motion_.rounding() * length(one.velocity);
     if (!grains_.are_alike()) motion_.add_momentum(change * (direction * inverse_mass));
   }
-}
-
-template <int Dim>
-void Replay<Dim>::bounce(const CollisionRow& row, int wall, const Meeting<Dim>& meeting,
-                         Findings& findings) {
-  const Case::Walls& walls = values_.walls;
-  const int axis = *motion_.closed_axis();
-  Body<Dim>& one = body(row.i);
-  one = motion_.moved(one, row.time);
-  one.position[axis] = wall == 0 ? one.radius : motion_.sides()[axis] - one.radius;
-  if (!(row.normal_speed > 0)) return;
-  const Precision precision = values_.collision.precision;
-  const Number outward = wall == 0 ? -1 : 1;
-  const Number tangential = in_precision(walls.tangential_restitution, precision);
-  const Vector before = one.velocity;
-  one.velocity[axis] = -outward * law_.restitution(row) * row.normal_speed;
-  for (int along = 0; along < Dim && !law_.is_rough(); ++along) {
-    if (along == axis) continue;
-    const double wall_speed = along != 0 ? 0.0 : wall == 0 ? walls.lower_speed : walls.upper_speed;
-    one.velocity[along] = (1 + tangential) * wall_speed - tangential * one.velocity[along];
-  }
-  if (law_.is_rough()) {
-    Meeting<Dim> contact = meeting;
-    contact.velocity = before * Number(-1);
-    contact.velocity[0] += wall == 0 ? walls.lower_speed : walls.upper_speed;
-    const Number mass = 1 / law_.inverse_mass(row.i);
-    const Number impulse = mass * (1 + law_.restitution(row)) * row.normal_speed;
-    const Number mu =
-        walls.friction ? walls.friction->coefficient : ContactConstants<double>::unbounded();
-    Number error = impulse * 8 * double_rounding;
-    const Vector rubbed = rub(row, contact, impulse, {1, tangential, mu}, error, findings);
-    one.velocity -= rubbed * (1 / mass);
-    one.velocity_error += error / mass;
-  }
-  motion_.add_momentum(one.velocity - before);
-  const Number change = 2 * (length(before) + length(one.velocity));
-  one.position_error += change * motion_.clock_error(row.time);
-  one.velocity_error +=
-      4 * double_rounding * change + length(motion_.acceleration()) * motion_.clock_error(row.time);
 }
 
 template <int Dim>

@@ -14,6 +14,7 @@
 #include "verify/kicks.hpp"
 #include "verify/law.hpp"
 #include "verify/motion.hpp"
+#include "verify/moving_walls.hpp"
 
 namespace zenosphere::verify {
 
@@ -84,9 +85,12 @@ class Replay {
   Gap gap_before(const CollisionRow& row);
   Gap shortest_gap_before(const CollisionRow& row);
   Gap apex(const Meeting<Dim>& then, int wall) const;
+  Gap gap_to_oscillating_wall(const CollisionRow& row);
+  Meeting<Dim> wall_meeting(const CollisionRow& row, int wall, Number time);
   void collide(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse,
                Findings& findings);
   void bounce(const CollisionRow& row, int wall, const Meeting<Dim>& meeting, Findings& findings);
+  void bounce_hot(const CollisionRow& row, const std::optional<Vector>& after);
   Vector rub(const CollisionRow& row, const Meeting<Dim>& meeting, Number impulse,
              const ContactConstants<Number>& constants, Number& error, Findings& findings);
   void count(Number error);
@@ -110,6 +114,8 @@ class Replay {
   std::vector<Turning> turning_;      ///< each; empty where nobody turns
   std::vector<std::int32_t> images_;  ///< of the snapshot where the replay has begun
   Kicks<Dim> kicks_;
+  LowerWall lower_wall_;
+  ThermalWalls<Dim> thermal_walls_;
   bool has_start_ = false;
   std::int64_t done_ = -1;            ///< collisions that the state knows; -1: it is not known
   std::optional<CollisionRow> last_;  ///< the row before, if it is part of the state

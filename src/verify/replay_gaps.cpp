@@ -16,6 +16,7 @@ namespace zenosphere::verify {
 template <int Dim>
 typename Replay<Dim>::Gap Replay<Dim>::gap_before(const CollisionRow& row) {
   if (criteria_version_ < 2) return shortest_gap_before(row);
+  if (wall(row.j) == 0 && lower_wall_.oscillates()) return gap_to_oscillating_wall(row);
   const Meeting<Dim> then = meeting_at(row, last_change_, row.time);
   const Number flown = then.speed * motion_.clock_error(row.time);
   if (const auto side = wall(row.j)) return apex(then, *side);

@@ -176,6 +176,8 @@ void SnapshotCheck::check_momentum(const Sums& sums, Findings& findings) const {
 /// and do work.
 bool SnapshotCheck::energy_is_closed() const {
   if (!grains_.immobile.empty()) return false;
+  const auto& walls = values_.walls;
+  if (walls.motion || walls.lower_temperature || walls.upper_temperature) return false;
   for (std::size_t axis = 0; axis < acceleration_.size(); ++axis) {
     if (acceleration_[axis] != 0 && closed_ != static_cast<int>(axis)) return false;
   }

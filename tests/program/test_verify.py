@@ -225,14 +225,18 @@ WALLED = ["--set", "drive.kind=none", "--set", "drive.shear_rate=0", "--set", "w
           "--set", "walls.restitution=0.8", "--set", "start.arrangement=random"]
 VISCOELASTIC = ["--set", "collision.restitution_law=viscoelastic", "--set",
                 "collision.viscoelastic_constant=0.3"]
+TWO_VALUED = ["--set", "collision.restitution_law=two-valued", "--set",
+              "collision.slow_restitution=0.7", "--set", "collision.fast_restitution=0.95", "--set",
+              "collision.threshold_speed=1"]
 FIXED_LOSS = ["--set", "collision.restitution_law=fixed-loss", "--set", "collision.energy_loss=0.1"]
 
 
 @pytest.mark.parametrize("words", [LASTING, VISCOELASTIC, [*LASTING, *VISCOELASTIC],
                                    [*LASTING, *VISCOELASTIC, *WALLED], FIXED_LOSS,
-                                   [*LASTING, *FIXED_LOSS, *WALLED]])
+                                   [*LASTING, *FIXED_LOSS, *WALLED],
+                                   [*LASTING, *TWO_VALUED]])
 def test_contact_models_are_replayed_and_counted(program, words):
-    if VISCOELASTIC[1] in words or FIXED_LOSS[1] in words:
+    if any("restitution_law" in word for word in words):
         program.case.write_text(program.case.read_text().replace("restitution = 0.9\n", ""))
     summary = program.run((), *EVERYTHING, *words, "-o", "out.h5")
     assert replayed(program) == 2000

@@ -40,6 +40,10 @@ def restitutions(run):
     law = run.setting("collision", "restitution_law")
     if law == "fixed-loss":
         parts.append(f"$e(v)$, loss {short(run.setting('collision', 'energy_loss'))}")
+    elif law == "two-valued":
+        slow, fast, speed = (short(run.setting("collision", key)) for key in
+                             ("slow_restitution", "fast_restitution", "threshold_speed"))
+        parts.append(f"$e = {slow}$ below the speed {speed}, else {fast}")
     elif law == "viscoelastic":
         parts.append(f"$e(v)$, $A = {short(run.setting('collision', 'viscoelastic_constant'))}$")
     elif run.setting("system", "restitution") is not None and run.spheres > 1:

@@ -54,10 +54,24 @@ TEST(CaseContact, AFixedLossIsAnEnergyInsteadOfARestitution) {
             std::string::npos);
 }
 
+TEST(CaseContact, TwoValuesTakeTheTwoAndTheSpeedBetweenThem) {
+  const std::string of_two = cooling_case + "[collision]\nrestitution_law = \"two-valued\"\n";
+  EXPECT_EQ(problems_of(of_two + "slow_restitution = 0.8\nfast_restitution = 0.95\n"
+                                 "threshold_speed = 1\n"),
+            "e.toml:5:15: system.restitution = 0.9 (only for collision.restitution_law = "
+            "\"constant\"); remove it");
+  EXPECT_EQ(objection(cooling_case, "collision.threshold_speed=1"),
+            "collision.threshold_speed = 1 (only for collision.restitution_law = "
+            "\"two-valued\"); remove it");
+  const std::string half = cooling_case + "[collision]\nslow_restitution = 0.8\n";
+  const std::string missing = objection(half, "collision.restitution_law=two-valued");
+  EXPECT_NE(missing.find("missing key collision.fast_restitution"), std::string::npos) << missing;
+}
+
 TEST(CaseContact, WordsAndNumbersAreChecked) {
   EXPECT_EQ(objection(cooling_case, "collision.restitution_law=viscous"),
             "collision.restitution_law = \"viscous\" (must be \"constant\", "
-            "\"viscoelastic\" or \"fixed-loss\")");
+            "\"viscoelastic\", \"fixed-loss\" or \"two-valued\")");
   EXPECT_EQ(objection(cooling_case, "collision.contact_duration=-1"),
             "collision.contact_duration = -1 (must be in [0, 1e+100]; 0 is off)");
   EXPECT_EQ(objection(cooling_case, "collision.rotation_angle=2"),

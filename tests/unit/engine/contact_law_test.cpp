@@ -141,6 +141,16 @@ TEST(FixedLoss, IsNotTakenFromAContactThatLasts) {
   EXPECT_DOUBLE_EQ(law.counts().mean_restitution, (1 + std::sqrt(0.75)) / 2);
 }
 
+TEST(TwoValues, ApplyToTheNormalSpeedAlone) {
+  const TwoValuedRestitution<double> restitution{0.25, 0.75, 1};
+  ContactLaw<3, double> law({.restitution = 0, .models = {.two_valued = restitution}}, 2, 1.0);
+  for (const double speed : {0.5, 0.999, 1.0, 4.0}) {
+    auto collision = contact_of<3>(0, 1);
+    law.collide(collision, motion_of<3>({{-speed, 10, -10}}), {alike});
+    EXPECT_DOUBLE_EQ(2 * collision.impact.impulse / speed, speed < 1 ? 1.25 : 1.75) << speed;
+  }
+}
+
 /// Relative velocities after collisions at random directions, without and with the rotation.
 template <int Dim>
 struct Turned {

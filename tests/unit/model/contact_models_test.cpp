@@ -133,10 +133,22 @@ TEST(FixedLossRestitution, IsTheSameNumberInEveryPrecision) {
   EXPECT_NEAR(static_cast<double>(FixedLossRestitution<Digits>(0.0625)(0.8)), e, 2e-16);
 }
 
+TEST(TwoValuedRestitution, ChangesAtTheThresholdItself) {
+  const TwoValuedRestitution<double> restitution{0.8, 0.95, 0.5};
+  EXPECT_EQ(restitution(1e-300), 0.8);
+  EXPECT_EQ(restitution(std::nextafter(0.5, 0.0)), 0.8);
+  EXPECT_EQ(restitution(0.5), 0.95);
+  EXPECT_EQ(restitution(1e200), 0.95);
+  EXPECT_EQ(TwoValuedRestitution<Digits>({Digits("0.8"), Digits(1), Digits(2)})(Digits(1)),
+            Digits("0.8"));
+}
+
 TEST(ContactModels, AreOffUnlessOneIsChosen) {
   EXPECT_FALSE(ContactModels<double>{}.is_any());
   EXPECT_TRUE((ContactModels<double>{.viscoelastic = ViscoelasticRestitution<double>(1)}).is_any());
   EXPECT_TRUE((ContactModels<double>{.fixed_loss = FixedLossRestitution<double>(1)}).is_any());
+  EXPECT_TRUE(
+      (ContactModels<double>{.two_valued = TwoValuedRestitution<double>{1, 1, 1}}).is_any());
   EXPECT_TRUE((ContactModels<double>{.contact_duration = 1e-9}).is_any());
   EXPECT_TRUE((ContactModels<double>{.rotation_angle = 1e-9}).is_any());
 }

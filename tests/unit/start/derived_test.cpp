@@ -106,6 +106,15 @@ TEST(DerivedText, TellsFromWhichSpeedAFixedEnergyIsLost) {
   EXPECT_EQ(line_of(values, "restitution at the speed 1"), "0.6");  // sqrt(1 - 0.64)
 }
 
+TEST(DerivedText, TellsHowStronglyAPlateIsAccelerated) {
+  EXPECT_EQ(line_of(overridden(ball_case, {}), "peak acceleration of plate"), "");
+  const Case values = overridden(ball_case, {"walls.motion=parabolic", "walls.amplitude=0.25",
+                                             "walls.frequency=0.5", "gravity.acceleration=[-4]"});
+  // 32 x 0.25 x 0.5^2
+  EXPECT_EQ(line_of(values, "peak acceleration of plate"), "2 diameters/time^2");
+  EXPECT_EQ(line_of(values, "the same over gravity"), "0.5");
+}
+
 TEST(DerivedText, TellsStrainOnlyUnderShear) {
   const Case sheared = overridden(shear_case, {"drive.shear_rate=4", "run.time=10"});
   EXPECT_EQ(line_of(sheared, "time of one strain unit"), "0.25 time");

@@ -44,6 +44,22 @@ TEST(Law, ViscoelasticRestitutionIsThatOfTheLoggedSpeed) {
   EXPECT_EQ(law.restitution(lasting_pair), 1);
 }
 
+TEST(Law, TwoValuesOfTheLoggedSpeedAreOfSpheresOnly) {
+  Case values = between_walls();
+  values.collision.restitution_law = RestitutionLaw::two_valued;
+  values.collision.slow_restitution = 0.5;
+  values.collision.fast_restitution = 0.25;
+  values.collision.threshold_speed = 2;
+  EXPECT_EQ(Law(values, 2).restitution(pair), 0.25L);  // at the threshold itself, 2
+  EXPECT_EQ(Law(values, 2).restitution(bounce), 0.75L);
+  EXPECT_EQ(Law(values, 2).impulse(pair), 1.25L);
+  values.collision.precision = Precision::quad;
+  EXPECT_FALSE(Law(values, 2).impulse(pair));  // the logged speed is rounded
+  values.collision.threshold_speed = 3;
+  EXPECT_EQ(Law(values, 2).restitution(pair), 0.5L);
+  EXPECT_EQ(Law(values, 2).loss(pair), 0.75L);  // (1 - 1/4) x 4 / 4
+}
+
 Case with_fixed_loss(double loss) {
   Case values = between_walls();
   values.collision.restitution_law = RestitutionLaw::fixed_loss;
