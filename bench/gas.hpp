@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -23,8 +24,9 @@ struct GasRequest {
 /// The gas at time 0.
 inline Gas gas(const GasRequest& request) {
   const double side = box_side<3>(request.start.spheres, request.solids_volume_fraction);
-  const ShearBox<3, double> box({side, side, side}, request.shear_rate,
-                                fitting_cell_width(side * side * side, request.start.spheres, 3));
+  const std::array sides{side, side, side};
+  const ShearBox<3, double> box({sides}, request.shear_rate,
+                                fitting_cell_width({sides, request.start.spheres}));
   return Gas(box, make_start<3>(request.start, box), {.restitution = request.restitution});
 }
 

@@ -15,10 +15,10 @@ namespace zenosphere {
 
 double cell_width_of(const Case& values) {
   const std::vector<double> sides = box_sides(values);
-  const double volume = std::accumulate(sides.begin(), sides.end(), 1.0, std::multiplies<>());
   const double largest = values.system.sizes.largest;
-  const double width =
-      fitting_cell_width(volume, values.system.spheres, static_cast<int>(sides.size()), largest);
+  const auto& pull = values.gravity.acceleration;
+  const bool is_straight = std::all_of(pull.begin(), pull.end(), [](double a) { return a == 0; });
+  const double width = fitting_cell_width({sides, values.system.spheres, largest, is_straight});
   double narrowest = width;
   for (std::size_t axis = 0; axis < sides.size(); ++axis) {
     const bool is_closed = closed_axis(values) == static_cast<int>(axis);

@@ -27,15 +27,22 @@ Spheres<Dim, Real>::Spheres(Archived archived, const ShearBox<Dim, Real>& box,
   read_spins(archive);
   for (const Sphere& sphere : spheres_) require_possible(sphere);
   const auto anchors = archive.template next<std::vector<Anchor>>();
-  require_archived(anchors.size() == spheres_.size(), "anchors of another number of spheres");
   const auto whole_slide = archive.template next<std::int32_t>();
   require_archived(whole_slide >= 0 && whole_slide < box.cells()[0], "layers that left the box");
   cells_.slide_to(whole_slide);
   read_images(archive);
   const bool was_wide = archive.template next<bool>();
   require_archived(settling_.is_wide || !was_wide, "balls as wide as there are none");
-  if (!was_wide) settling_ = settling_in_crowd(box, count(), sizes_of(grains_));
+  const bool had_lists = archive.template next<bool>();
+  require_archived(search_ || had_lists, "cells that are too wide to look in them");
   find_images();
+  if (!had_lists) {
+    for (std::int32_t i = 0; i < count(); ++i) search_->insert(i, (*this)[i].cell);
+    return;
+  }
+  if (!was_wide) settling_ = settling_in_crowd(box, count(), sizes_of(grains_));
+  if (search_) use_lists();
+  require_archived(anchors.size() == spheres_.size(), "anchors of another number of spheres");
   for (std::int32_t i = 0; i < count(); ++i) {
     anchor(i) = anchors[static_cast<std::size_t>(i)];
     for (const int place : anchor(i).place) {
@@ -87,13 +94,16 @@ void Spheres<Dim, Real>::read_images(ArchiveReader& archive) {
 }
 
 /// Of each pair the sphere with the lower number has the other on its list in the archive; the
-/// lists are sorted, since their order means nothing.
+/// lists are sorted, since their order means nothing. Without lists the cells tell all.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   std::vector<Anchor> anchors;
-  for (std::int32_t i = 0; i < count(); ++i) anchors.push_back(anchor(i));
+  if (!search_) {
+    for (std::int32_t i = 0; i < count(); ++i) anchors.push_back(anchor(i));
+  }
   archive(spheres_, grains_, spins_, anchors, std::int32_t{cells_.whole_slide()}, offset_, boxes_,
-          settling_.is_wide);
+          settling_.is_wide, !search_);
+  if (search_) return;
   std::vector<std::uint32_t> later;
   for (std::int32_t i = 0; i < count(); ++i) {
     later.clear();

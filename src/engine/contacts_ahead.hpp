@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -35,6 +36,9 @@ struct ContactsAhead {
     has_overlaps |= contact.overlapping;
   }
 };
+
+/// Neighbours of which the first two contacts are found without a look at each.
+inline constexpr std::size_t most_first_contacts = 60;
 
 /// The first two of them, where they are spheres that do not overlap yet.
 template <class Real>

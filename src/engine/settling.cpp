@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "engine/anchor_cells.hpp"
+#include "engine/cell_search.hpp"
 #include "model/instantiate.hpp"
+#include "model/power.hpp"
 
 namespace zenosphere {
 
@@ -41,12 +45,39 @@ double free_path_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   return mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
 }
 
+/// Of cells in which spheres are looked for to be put on lists, diameters.
+///
+/// \param share  volume for each sphere, diameters^dimension
+double width_for_lists(double share, int dimension, double largest_diameter) {
+  constexpr double spheres_a_cell = 3.5;
+  constexpr double cells_a_sphere = 2;  // at most, however dilute
+  constexpr double least = 1.1;
+  const double width = std::pow(spheres_a_cell * share, 1.0 / dimension);
+  const double sparse = std::pow(share / cells_a_sphere, 1.0 / dimension);
+  const double most = most_width(dimension) * largest_diameter;
+  return std::max({std::min(width, most), sparse, least * largest_diameter});
+}
+
+/// The same without lists; 0 where spheres are too close together for that, or too far apart.
+///
+/// The fraction that they would fill if all were as large as the largest is what was measured: in 3
+/// dimensions, up to 0.15. No round number, so that rounding does not decide.
+double width_without_lists(double share, int dimension, double largest_diameter) {
+  constexpr double spheres_a_cell = 0.7;
+  constexpr double densest = 0.1625;
+  constexpr double least = 1.1;
+  const double volume = largest_diameter * largest_diameter * largest_diameter;
+  if (dimension != 3 || unit_sphere_volume(3) * volume / share > densest) return 0;
+  const double width = std::max(std::cbrt(spheres_a_cell * share), least * largest_diameter);
+  return width < most_width(3) * largest_diameter ? width : 0;
+}
+
 template <int Dim, class Real>
 Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes,
                      bool are_alone) {
   constexpr int grains_of_error = 4;  // of the distance of two anchors; twice that is left
   double widest = 0;
-  double width = fitting_cell_width(static_cast<double>(box.volume()), spheres, Dim, sizes.largest);
+  double width = width_for_lists(static_cast<double>(box.volume()) / spheres, Dim, sizes.largest);
   for (int axis = 0; axis < Dim; ++axis) {
     const double here = static_cast<double>(box.cell_width()[axis]);
     widest = std::max(widest, here);
@@ -81,16 +112,35 @@ Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const
 
 }  // namespace
 
-double fitting_cell_width(double volume, std::int64_t spheres, int dimension,
-                          double largest_diameter) {
-  constexpr double spheres_a_cell = 3.5;
-  constexpr double cells_a_sphere = 2;  // at most, however dilute
-  constexpr double least = 1.1;
-  const double share = volume / static_cast<double>(spheres);
-  const double width = std::pow(spheres_a_cell * share, 1.0 / dimension);
-  const double sparse = std::pow(share / cells_a_sphere, 1.0 / dimension);
-  const double most = most_width(dimension) * largest_diameter;
-  return std::max({std::min(width, most), sparse, least * largest_diameter});
+double fitting_cell_width(const Filling& filling) {
+  const auto& sides = filling.sides;
+  const int dimension = static_cast<int>(sides.size());
+  const double volume = std::accumulate(sides.begin(), sides.end(), 1.0, std::multiplies<>());
+  const double share = volume / static_cast<double>(filling.spheres);
+  const double narrow = width_without_lists(share, dimension, filling.largest_diameter);
+  if (filling.is_straight && narrow > 0) {
+    constexpr double margin = 1e-8;  // more than ShearBox takes
+    Steps<3> cells{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cells[axis] = static_cast<int>(std::min(sides[axis] / (narrow * (1 + margin)), 1e6));
+    }
+    if (CellSearch<3>::has_room_in(cells)) return narrow;
+  }
+  return width_for_lists(share, dimension, filling.largest_diameter);
+}
+
+template <int Dim, class Real>
+bool cells_suffice(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes) {
+  const double share = static_cast<double>(box.volume()) / spheres;
+  const double narrow = width_without_lists(share, Dim, sizes.largest);
+  if (narrow == 0 || !CellSearch<Dim>::has_room_in(box.cells())) return false;
+  for (int axis = 0; axis < Dim; ++axis) {
+    // Wider ones are for lists.
+    constexpr double widest = 1.3;
+    const auto width = static_cast<double>(box.cell_width()[axis]);
+    if (width < narrowest_cell * sizes.largest || width > widest * narrow) return false;
+  }
+  return true;
 }
 
 template <int Dim, class Real>
@@ -105,9 +155,10 @@ Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
   return settling_of(box, spheres, sizes, false);
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                \
-  template Settling settling_in(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&); \
-  template Settling settling_in_crowd(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&);
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                      \
+  template Settling settling_in(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&);       \
+  template Settling settling_in_crowd(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&); \
+  template bool cells_suffice(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "model/grains.hpp"
 #include "model/shear_box.hpp"
@@ -37,6 +38,10 @@ Sizes sizes_of(const Grains<Real>& grains) {
 /// Spheres on one list, where balls are as wide as cells: with more of them they are a crowd.
 inline constexpr std::int32_t most_alone = 400;
 
+/// Spheres that are new to one that crosses a face of its cell, of a third of the cells around:
+/// where there are more they are a crowd. In a gas there are some six.
+inline constexpr std::int32_t most_beyond_face = 60;
+
 /// What suits so many spheres in a box that is cut into cells. Two spheres that may touch have
 /// anchors within the largest diameter + 2 reach, which no cell may be narrower than.
 template <int Dim, class Real>
@@ -47,11 +52,24 @@ template <int Dim, class Real>
 Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
                            const Sizes& sizes = {});
 
-/// The width that cells should have, in diameters: so that some fifteen neighbours are in reach.
+/// A box and what is in it.
+struct Filling {
+  std::span<const double> sides;  ///< diameters
+  std::int64_t spheres;
+  double largest_diameter = 1;
+  bool is_straight = true;  ///< spheres do not fall
+};
+
+/// The width that cells should have, in diameters: so that some fifteen neighbours are in reach; in
+/// dilute systems, in which there are no lists (see CellSearch), so that a cell holds about one.
 ///
 /// Wider cells mean longer lists that last longer. Where spheres differ in size, the largest have
 /// to find room in a cell.
-double fitting_cell_width(double volume, std::int64_t spheres, int dimension,
-                          double largest_diameter = 1);
+double fitting_cell_width(const Filling& filling);
+
+/// Whether spheres that fly straight are looked for cell by cell, without lists: they are dilute,
+/// and the box is cut into many narrow cells.
+template <int Dim, class Real>
+bool cells_suffice(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes);
 
 }  // namespace zenosphere

@@ -165,6 +165,8 @@ class Simulation {
   Real longest_rewind() const { return rewind_bound_.longest_lately(); }
   /// The remainder of the clock behind which it will not set it back.
   const Real& earliest_rewind() const { return rewind_bound_.earliest(); }
+  /// Whether neighbours are looked for cell by cell, without lists: in dilute systems.
+  bool looks_by_cells() const { return spheres_.looks_by_cells(); }
   std::int64_t settlings() const { return settlings_; }
   std::int64_t stale_events() const { return stale_events_; }
 
@@ -207,6 +209,7 @@ class Simulation {
   void predict_new(std::int32_t i, std::span<const Neighbour> neighbours);
   Meeting<Real> meeting(std::int32_t j, const Real& time) const;
   NextMeetings<Real> one_by_one(std::int32_t i, std::span<const Neighbour> neighbours);
+  NextMeetings<Real> in_parts(std::int32_t i, std::span<const Neighbour> neighbours);
   NextMeetings<Real> with_walls(std::int32_t i);
   Meeting<Real> with_oscillating_wall(std::int32_t i) const;
   NextMeetings<Real> first_ahead(std::int32_t i);

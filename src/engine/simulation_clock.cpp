@@ -31,6 +31,8 @@ void Simulation<Dim, Real>::set_back(double units) {
   rewind_bound_.set_back(span);
   for (NextMeetings<Real>& next : meetings_) next.set_back(span);
   calendar_.set_back(span);
+  if (!spheres_.slide_near()) return;
+  for (std::int32_t i = 0; i < spheres(); ++i) predict_new(i, spheres_.slid_near(i));
 }
 
 /// Lengthens the strides of a clock without shear where it would have to be set back for nearly

@@ -102,7 +102,7 @@ void Simulation<Dim, Real>::come_home() {
   if (!is_idle() || box().is_sheared()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) spheres_.bring_back(i, now_.remainder);
   for (std::int32_t i = 0; i < spheres(); ++i) {
-    spheres_.settle(i, now_.remainder, now_.remainder);
+    spheres_.settle_anew(i, now_.remainder);
   }
   for (std::int32_t i = 0; i < spheres(); ++i) {
     // Not stored anew where that is not needed: it is rounded.

@@ -23,7 +23,7 @@ void Simulation<Dim, Real>::look_ahead(std::int32_t i) {
     meetings(i).set(meeting(two->first, two->first_time), meeting(two->second, two->second_time),
                     two->meetings <= 2);
   } else {
-    meetings(i) = one_by_one(i, neighbours);
+    meetings(i) = in_parts(i, neighbours);
   }
   if (surroundings_.walls && !grains().is_immobile(i)) meetings(i).add(with_walls(i));
 }
@@ -38,6 +38,25 @@ void Simulation<Dim, Real>::predict_new(std::int32_t i, std::span<const Neighbou
     meetings(i).add(one_by_one(i, neighbours));
   }
   schedule(i);
+}
+
+/// The next meetings with many neighbours, of which first_contacts() takes only some at once.
+template <int Dim, class Real>
+NextMeetings<Real> Simulation<Dim, Real>::in_parts(std::int32_t i,
+                                                   std::span<const Neighbour> neighbours) {
+  if (neighbours.size() <= most_first_contacts) return one_by_one(i, neighbours);
+  NextMeetings<Real> next;
+  while (!neighbours.empty()) {
+    const auto part = neighbours.first(std::min(most_first_contacts, neighbours.size()));
+    neighbours = neighbours.subspan(part.size());
+    if (const auto two = spheres_.first_contacts(i, part, now_.remainder)) {
+      next.add({meeting(two->first, two->first_time), meeting(two->second, two->second_time),
+                two->meetings <= 2});
+    } else {
+      next.add(one_by_one(i, part));
+    }
+  }
+  return next;
 }
 
 /// With a sphere that does not overlap, or -1: with nobody.

@@ -53,6 +53,12 @@ class SlidingCells {
   /// Those of the layers below, beside and above.
   using Reach = std::array<Columns, 3>;
 
+  /// Rows beside a cell: from how many layers and rows below it to how many above.
+  struct Rows {
+    int first_layer = -1, last_layer = 1;  ///< along y
+    int first_row = -1, last_row = 1;      ///< along z
+  };
+
   /// Steps along the gradient direction: how many layers up.
   static int layers(const Steps<Dim>& steps) { return Dim > 1 ? steps[Dim > 1 ? 1 : 0] : 0; }
 
@@ -61,6 +67,12 @@ class SlidingCells {
   /// through a cell more than once, on another way.
   template <class Visit>
   void for_each_run(const Steps<Dim>& home, const Reach& reach, Visit visit) const {
+    for_each_run(home, reach, Rows(), visit);
+  }
+  /// The same of some of these rows.
+  template <class Visit>
+  void for_each_run(const Steps<Dim>& home, const Reach& reach, const Rows& seen,
+                    Visit visit) const {
     constexpr std::size_t y = Dim > 1 ? 1 : 0;
     constexpr std::size_t z = Dim > 2 ? 2 : 0;
     constexpr int aside_y = Dim > 1 ? 1 : 0;
@@ -69,15 +81,19 @@ class SlidingCells {
       std::int32_t base = 0;  ///< its first cell in the lowest layer
       int periods = 0;        ///< along z
     };
+    const int first_layer = aside_y * seen.first_layer;
+    const int last_layer = aside_y * seen.last_layer;
+    const int first_row = aside_z * seen.first_row;
+    const int last_row = aside_z * seen.last_row;
     std::array<Row, 1 + 2 * aside_z> rows;
     if constexpr (Dim > 2) {
-      for (int step = -1; step <= 1; ++step) {
+      for (int step = first_row; step <= last_row; ++step) {
         Row& row = rows[static_cast<std::size_t>(step + 1)];
         row.base = wrapped(home[z] + step, cells_[z], row.periods) * strides_[z];
       }
     }
     const int side = cells_[0];
-    for (int layers = -aside_y; layers <= aside_y; ++layers) {
+    for (int layers = first_layer; layers <= last_layer; ++layers) {
       Steps<Dim> periods{};
       std::int32_t layer = 0;
       if constexpr (Dim > 1) layer = wrapped(home[y] + layers, cells_[y], periods[y]) * strides_[y];
@@ -92,16 +108,40 @@ class SlidingCells {
         const Way way(periods, layers);
         Steps<Dim> steps{step};
         if constexpr (Dim > 1) steps[1] = layers;
-        if constexpr (Dim > 2) steps[2] = -1;
-        for (const Row& row : rows) {
+        for (int along_z = first_row; along_z <= last_row; ++along_z) {
+          const Row& row = rows[static_cast<std::size_t>(along_z + aside_z)];
+          if constexpr (Dim > 2) steps[2] = along_z;
           visit(layer + row.base + column, layer + row.base + last, way.beyond_z(row.periods),
                 steps);
-          if constexpr (Dim > 2) ++steps[2];
         }
         step += last - column + 1;
       }
     }
   }
+
+  /// How a cell is reached from another one, by the shorter way around.
+  struct Reached {
+    Steps<Dim> steps;
+    Steps<Dim> periods;
+  };
+  Reached reached(const Steps<Dim>& home, const Steps<Dim>& there) const {
+    Reached reached{};
+    for (std::size_t axis = Dim; axis-- > 0;) {  // the layer first: it decides about the column
+      int& steps = reached.steps[axis];
+      int& periods = reached.periods[axis];
+      steps = there[axis] - home[axis];
+      if constexpr (Dim > 1) {
+        if (axis == 0)
+          steps += reached.steps[1] * whole_slide_ + reached.periods[1] * whole_offset_;
+      }
+      const int half = cells_[axis] / 2;
+      for (; steps > half; steps -= cells_[axis]) --periods;
+      for (; steps < -half; steps += cells_[axis]) ++periods;
+    }
+    return reached;
+  }
+
+  const Steps<Dim>& cells() const { return cells_; }
 
   /// Whole cells by which a layer has slid against the one below it; in [0, cells along x).
   int whole_slide() const { return whole_slide_; }

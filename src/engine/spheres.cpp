@@ -23,6 +23,7 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
   displace_images(start.offset);
   place(start);
   start = {};  // whose memory the lists can use
+  if (search_) return;
   for (std::int32_t i = 0; i < count(); ++i) {
     // As if it had been alone until now.
     anchor_cells_.remove(i, (*this)[i].cell);
@@ -49,8 +50,8 @@ Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains,
       settling_(settling_in(box, static_cast<std::int32_t>(spheres.size()), sizes_of(grains_))),
       spheres_(std::move(spheres)),
       boxes_(spheres_.size()),
-      lists_(count(), settling_.neighbours),
-      anchor_cells_(cells_.count()) {
+      lists_(0, 0),
+      anchor_cells_(0) {
   for (int axis = 0; axis < Dim; ++axis) {
     cell_grains_[static_cast<std::size_t>(axis)] =
         static_cast<int>(static_cast<double>(box_.cell_width()[axis]) / settling_.grain + 0.5);
@@ -58,6 +59,11 @@ Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains,
   for (const Real& diameter : grains_.diameters) radii_.push_back(diameter / 2);
   require_room();
   find_images();
+  if (!falls_ && cells_suffice(box, count(), sizes_of(grains_))) {
+    use_cells();
+  } else {
+    use_lists();
+  }
 }
 
 /// Throws std::invalid_argument where a sphere could touch another one beyond the next cell.
@@ -84,6 +90,7 @@ void Spheres<Dim, Real>::displace_images(const Real& offset) {
   const Real whole = floor(columns);
   cells_.displace_images(static_cast<int>(whole));
   odd_offset_ = static_cast<double>(Real(columns - whole));
+  if (search_) search_->displace_images();
   find_images();
 }
 
@@ -111,8 +118,12 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
     settling_ = settling_in_crowd(box_, count(), sizes_of(grains_));
   }
   for (std::int32_t i = 0; i < count(); ++i) {
-    drop_anchor(i, 0, {});
-    anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+    if (search_) {
+      search_->insert(i, (*this)[i].cell);
+    } else {
+      drop_anchor(i, 0, {});
+      anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+    }
   }
 }
 
@@ -135,6 +146,11 @@ void Spheres<Dim, Real>::find_images() {
 
 template <int Dim, class Real>
 Neighbour Spheres<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const Real& when) const {
+  if (search_) {
+    const auto way = search_->way(cells_, cells_.coordinates((*this)[i].cell),
+                                  cells_.coordinates((*this)[j].cell));
+    return way ? Neighbour(j, *way) : nearest_image(i, j, when);
+  }
   const auto neighbours = lists_.of(i);
   std::uint64_t places = lists_.places(i, j);
   if (places == 0) return nearest_image(i, j, when);

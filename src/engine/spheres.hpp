@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/anchor_cells.hpp"
+#include "engine/cell_search.hpp"
 #include "engine/configuration.hpp"
 #include "engine/contacts_ahead.hpp"
 #include "engine/fetching.hpp"
@@ -34,8 +35,9 @@ namespace zenosphere {
 /// A sphere is *settled* now and then: it gets an anchor where it is, or somewhat ahead, the cell
 /// of the anchor, and a list of all who can touch it while both stay within reach of their anchors.
 /// When it leaves that ball, or the layers have slid on by half a cell, it has to be settled again.
-/// Until then cell and frame stay, also where the sphere is a little outside. Nothing in here knows
-/// about collisions or the order of events.
+/// Until then cell and frame stay, also where the sphere is a little outside. In dilute systems
+/// there are neither anchors nor lists (see CellSearch): a sphere is settled in the next cell when
+/// it crosses a face of its own. Nothing in here knows about collisions or the order of events.
 ///
 /// Source: neighbour lists in event-driven dynamics: Donev, Torquato & Stillinger, J. Comput. Phys.
 /// 202 (2005) 737. That each is renewed alone, and the frames that slide, are ours.
@@ -115,7 +117,9 @@ class Spheres {
   /// The shortest of the periodic images of a way between two spheres at `when`, axis by axis.
   Vector shortest_image(Vector way, const Real& when) const;
 
-  std::span<const Neighbour> neighbours(std::int32_t i) const { return lists_.of(i); }
+  std::span<const Neighbour> neighbours(std::int32_t i) const {
+    return search_ ? search_->around(cells_, cells_.coordinates((*this)[i].cell)) : lists_.of(i);
+  }
 
   /// The first two contacts of i with these neighbours, where they can be found without a look at
   /// each; otherwise nothing, and find_contacts() tells.
@@ -153,13 +157,13 @@ class Spheres {
   /// Fetches what will be read of a sphere.
   void fetch(std::int32_t i) const {
     fetch_line(&(*this)[i]);
-    lists_.fetch(i);
+    if (!search_) lists_.fetch(i);
   }
   /// Fetches the cells around it, where it will be settled at `when`.
   void fetch_cells(std::int32_t i, const Real& when) const;
   /// Fetches its neighbours.
   void fetch_neighbours(std::int32_t i) const {
-    for (const Neighbour neighbour : lists_.of(i)) fetch_line(&(*this)[neighbour.sphere()]);
+    for (const Neighbour neighbour : neighbours(i)) fetch_line(&(*this)[neighbour.sphere()]);
   }
 
   /// When a sphere has to be settled again, as foreseen at `when`; of a time after `until` only
@@ -172,7 +176,19 @@ class Spheres {
   /// \return  its new neighbours
   std::span<const Neighbour> settle(std::int32_t i, const Real& when, const Real& meeting);
 
-  /// How far a sphere goes from its anchor, diameters.
+  /// Settles a sphere wherever it is: one that nobody has followed for a while.
+  void settle_anew(std::int32_t i, const Real& when);
+
+  /// Whether spheres are looked for cell by cell, without lists.
+  bool looks_by_cells() const { return search_.has_value(); }
+  /// Whether spheres come near when the clock is set back, for whom somebody has to look.
+  bool slide_near() const { return search_ && box_.is_sheared(); }
+  /// Whom sphere i has to look at then; of each pair one is told.
+  std::span<const Neighbour> slid_near(std::int32_t i) const {
+    return search_->slid_near(cells_, cells_.coordinates((*this)[i].cell));
+  }
+
+  /// How far a sphere goes from its anchor, or from the middle of its cell, diameters.
   double reach() const { return settling_.reach; }
 
   /// Whether a sphere is far outside of its ball: it was known that nobody would meet it there.
@@ -238,6 +254,20 @@ class Spheres {
   Vector corner(std::int32_t cell) const;
   bool is_crowd_in_a_cell() const;
   Way go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
+  void see_from(Sphere& sphere, Way way) const;
+  /// Through which face a sphere leaves its cell.
+  struct Exit {
+    Real time = std::numeric_limits<Real>::infinity();  ///< from now
+    int axis = 0;
+    int direction = 0;  ///< 0: it stays
+  };
+  Exit exit(const Sphere& sphere, const Vector& in_cell) const;
+  Real exit_at(std::int32_t i, const Real& when, const Real& until) const;
+  std::span<const Neighbour> cross_face(std::int32_t i, const Real& when);
+  int column_beyond(const Sphere& sphere, const Steps<Dim>& from, int layers, int periods,
+                    const Real& when) const;
+  void use_cells();
+  void use_lists();
   Vec<Dim, double> brought_back(Sphere& sphere, const Real& when) const;
   std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when);
   Slides slides(const Steps<Dim>& home, const Real& when) const;
@@ -308,6 +338,7 @@ class Spheres {
   double odd_offset_ = 0;               ///< of it the part beside whole cells, in cells
   HugePageVector<Sphere> spheres_;
   HugePageVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
+  std::optional<CellSearch<Dim>> search_;   ///< in place of lists and anchors, or none
   NeighbourLists lists_;
   AnchorCells anchor_cells_;
   std::vector<Neighbour> nearby_;               ///< scratch

@@ -16,7 +16,9 @@ bool Spheres<Dim, Real>::is_far_out(std::int32_t i, const Real& when) const {
   const Vector corner = this->corner((*this)[i].cell);
   Vector away;
   for (int axis = 0; axis < Dim; ++axis) {
-    const Real middle = anchor(i).place[static_cast<std::size_t>(axis)] * Real(settling_.grain);
+    const Real middle =
+        search_ ? Real(box_.cell_width()[axis] / 2)
+                : Real(anchor(i).place[static_cast<std::size_t>(axis)] * Real(settling_.grain));
     away[axis] = (place[axis] - corner[axis]) - middle;
   }
   const Real limit = 2 * Real(settling_.reach);
@@ -64,6 +66,13 @@ template <int Dim, class Real>
 void Spheres<Dim, Real>::settle_in_crowd(const Real& when) {
   settling_ = settling_in_crowd(box_, count(), sizes_of(grains_));
   is_crowded_ = false;
+  if (search_) {
+    use_lists();
+    for (std::int32_t i = 0; i < count(); ++i) {
+      drop_anchor(i, when, {});
+      anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+    }
+  }
   for (std::int32_t i = 0; i < count(); ++i) settle(i, when, when);
 }
 

@@ -29,6 +29,7 @@ int floor_within(int least, int most, const Real& number) {
 
 template <int Dim, class Real>
 Real Spheres<Dim, Real>::unsettled_at(std::int32_t i, const Real& when, const Real& until) const {
+  if (search_) return exit_at(i, when, until);
   const Sphere& sphere = (*this)[i];
   const Anchor& anchor = this->anchor(i);
   const Vector corner = this->corner(sphere.cell);
@@ -85,6 +86,7 @@ Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity
 template <int Dim, class Real>
 std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real& when,
                                                       const Real& meeting) {
+  if (search_) return cross_face(i, when);
   Sphere& sphere = (*this)[i];
   anchor_cells_.remove(i, sphere.cell);
   const Vector ahead = way_to_anchor(velocity_at(sphere, when), meeting - when);
@@ -191,12 +193,17 @@ Way Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector& 
   }
   sphere.cell = cells_.index(home);
   const Way way(periods, layers);
-  if (way == Way()) return way;
+  if (way != Way()) see_from(sphere, way);
+  return way;
+}
+
+/// Gives a sphere the frame and the image of the box to which a way leads.
+template <int Dim, class Real>
+void Spheres<Dim, Real>::see_from(Sphere& sphere, Way way) const {
   const Image<Dim, Real>& image = this->image(way);
   sphere.position -= image.position;
   sphere.position[0] -= image.velocity * sphere.time;
   sphere.velocity[0] -= image.velocity;
-  return way;
 }
 
 /// All spheres whose balls come within a diameter of the ball of i while one slides past the
@@ -241,8 +248,15 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
 template <int Dim, class Real>
 void Spheres<Dim, Real>::fetch_cells(std::int32_t i, const Real& when) const {
   Sphere sphere = (*this)[i];
-  go_home(sphere, when, {});
+  if (!search_) go_home(sphere, when, {});
   const Steps<Dim> home = cells_.coordinates(sphere.cell);
+  if (search_) {
+    cells_.for_each_run(home, search_->reach(cells_, home),
+                        [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
+                          search_->members().fetch(first, last);
+                        });
+    return;
+  }
   const Real column = position_at(sphere, when)[0] / box_.cell_width()[0] - home[0];
   cells_.for_each_run(home, columns_within_reach(static_cast<double>(column), slides(home, when)),
                       [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
@@ -300,7 +314,9 @@ void Spheres<Dim, Real>::set_back(const Real& span) {
   for (Sphere& sphere : spheres_) sphere.time -= span;
   if (!box_.is_sheared()) return;
   const auto units = static_cast<float>(static_cast<double>(span) / settling_.expiry_unit);
-  for (std::int32_t i = 0; i < count(); ++i) anchor(i).expires -= units;
+  if (!search_) {
+    for (std::int32_t i = 0; i < count(); ++i) anchor(i).expires -= units;
+  }
   cells_.slide_by_one_cell();
   if (cells_.whole_slide() == 0) turn();
   find_images();
@@ -309,7 +325,7 @@ void Spheres<Dim, Real>::set_back(const Real& span) {
 /// The layers have slid by a whole box, which is counted from 0 again.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::turn() {
-  lists_.turn();
+  if (!search_) lists_.turn();
   if constexpr (Dim > 1) {
     for (std::int32_t i = 0; i < count(); ++i) {
       const int layer = cells_.coordinates((*this)[i].cell)[1];
@@ -326,6 +342,7 @@ void Spheres<Dim, Real>::turn() {
   template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&, const Vec<Dim, Real>&); \
   template Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t) const;                          \
   template Way Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) const;     \
+  template void Spheres<Dim, Real>::see_from(Sphere&, Way) const;                                  \
   template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);      \
   template void Spheres<Dim, Real>::set_back(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)

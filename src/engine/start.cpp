@@ -67,8 +67,8 @@ std::vector<Vec<Dim, double>> loose_places(std::int32_t spheres, const ShearBox<
   state.velocities = thermal_velocities<Dim>(spheres, 1.0, random);
   Surroundings<Dim, double> surroundings;
   if (const auto axis = box.closed_axis()) surroundings.walls = Walls<double>{.axis = *axis};
-  const ShearBox<Dim, double> still(box.sides(), 0, fitting_cell_width(box.volume(), spheres, Dim),
-                                    box.closed_axis());
+  const double width = fitting_cell_width({box.sides().components, spheres});
+  const ShearBox<Dim, double> still(box.sides(), 0, width, box.closed_axis());
   Simulation<Dim, double> mixing(still, state, {1.0}, surroundings);
   const std::int64_t collisions = kMixingCollisionsPerSphere * spheres / 2;
   // A gas too thin to collide is mixed already: a unit speed crosses the box in its side.

@@ -125,7 +125,7 @@ ZENOSPHERE_WIDE inline __m256d contact_times(const Approaches& four, __m256d sig
 /// The approaches of up to `most` neighbours, by their numbers.
 class NumberedApproaches {
  public:
-  static constexpr std::size_t most = 60;
+  static constexpr std::size_t most = most_first_contacts;
 
   ZENOSPHERE_WIDE void put(std::size_t number, const Approaches& four) {
     _mm256_store_pd(b_ + number, four.b);

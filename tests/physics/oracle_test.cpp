@@ -183,6 +183,43 @@ INSTANTIATE_TEST_SUITE_P(Unsheared, Engine,
                                          Named{"of_3_by_5_by_4", {{3, 5, 4}, 24, 0, 0.9, 1}, 4}),
                          [](const auto& named) { return named.param.name; });
 
+/// Dilute gases in boxes of seven cells or more along the flow, which have no lists.
+///
+/// A deviation grows by twice the flight between collisions, in diameters: up to 100 at a solids
+/// volume fraction of 0.01. So each sphere collides once before a restart.
+void follow_without_lists(Gas gas, int clock_units) {
+  ASSERT_TRUE(gas.looks_by_cells());
+  while (gas.now().units < clock_units) {
+    ASSERT_NO_FATAL_FAILURE(expect_same_collisions(gas, gas.spheres() / 2, 1e-10));
+  }
+}
+
+class Dilute : public testing::TestWithParam<Named> {};
+
+TEST_P(Dilute, GasAgreesWithTheOracleCollisionByCollision) {
+  for (const std::uint64_t seed : {7, 8}) {
+    follow_without_lists(gas_of(GetParam().flow, seed, narrow), GetParam().clock_units);
+  }
+}
+
+TEST_P(Dilute, GasAgreesWithTheOracleWhereImagesAreDisplacedFromTheStart) {
+  for (const double strain : {0.27, 1.43}) {
+    follow_without_lists(displaced_gas_of(GetParam().flow, 7, narrow, strain),
+                         GetParam().clock_units);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    WithoutLists, Dilute,
+    testing::Values(Named{"elastic_at_0_15", {{7.5, 4.3, 4.3}, 40, 1, 1, 1.5}, 3},
+                    Named{"inelastic_at_0_15", {{7.5, 4.3, 4.3}, 40, 1, 0.6, 1.5}, 5},
+                    Named{"at_0_1", {{7.5, 5, 4.3}, 31, 2, 0.9, 1.5}, 6},
+                    Named{"at_0_05", {{8, 6, 6}, 27, 1, 0.9, 1.5}, 10},
+                    Named{"at_0_01", {{14, 9, 9}, 22, 1, 0.9, 1.5}, 20},
+                    Named{"unsheared_at_0_1", {{7.5, 5, 4.3}, 31, 0, 1, 1.5}, 9},
+                    Named{"unsheared_at_0_01", {{14, 9, 9}, 22, 0, 0.9, 1.5}, 20}),
+    [](const auto& named) { return named.param.name; });
+
 TEST(Engine, AgreesWithTheOracleForManyCollisionsPerSphereWithoutRestart) {
   // Elastic spheres at 0.3 amplify a deviation by about 2 per collision of a sphere (seen here), so
   // 15 collisions per sphere make 1e-15 x 2^15 = 3e-11 of rounding.

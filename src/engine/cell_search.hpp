@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/cell_members.hpp"
+#include "engine/sliding_cells.hpp"
+
+namespace zenosphere {
+
+/// The search for neighbours among cells alone, without lists: in dilute systems.
+///
+/// A sphere sees all in its own cell and those around, and while it crosses no face that stays so:
+/// when it crosses one, those are new to it that are in cells which it has not seen before. Layers
+/// that slide are seen as far as they come near within one clock unit; then they have slid by a
+/// cell, and everybody sees one column more of the layer above. So of two spheres that come near
+/// each other always one is told.
+///
+/// The box has at least seven cells along x and four along other axes, so that no sphere is seen on
+/// two ways. Spans that are returned hold until the next call; up to three neighbours more may be
+/// read behind their ends.
+template <int Dim>
+class CellSearch {
+ public:
+  using Reach = typename SlidingCells<Dim>::Reach;
+
+  /// What moves the columns of adjacent layers by parts of a cell.
+  struct Slides {
+    bool layers = false;  ///< they slide
+    bool images = false;  ///< beyond the faces along y, which are displaced
+  };
+
+  CellSearch(std::int32_t cells, Slides slides) : members_(cells), slides_(slides) {}
+
+  static bool has_room_in(const Steps<Dim>& cells);
+  void displace_images() { slides_.images = true; }
+
+  void insert(std::int32_t sphere, std::int32_t cell);
+  void move(std::int32_t sphere, std::int32_t from, std::int32_t to) {
+    members_.remove(sphere, from);
+    insert(sphere, to);
+  }
+
+  /// All in the cell at `home` and around it: a sphere there is among its own neighbours. It never
+  /// approaches itself.
+  std::span<const Neighbour> around(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;
+
+  /// A step from one cell to another.
+  struct Crossing {
+    int axis;
+    int direction;  ///< -1 or +1
+    Steps<Dim> from;
+    Steps<Dim> to;
+  };
+  /// Whom a sphere that has crossed a face has not seen before.
+  std::span<const Neighbour> beyond(const SlidingCells<Dim>& cells, const Crossing& crossing) const;
+
+  /// Whom spheres at `home` have not seen before the layers had slid by one more cell: of each pair
+  /// one sees the other here.
+  std::span<const Neighbour> slid_near(const SlidingCells<Dim>& cells,
+                                       const Steps<Dim>& home) const;
+
+  /// The way from one cell to another, where they are near enough for spheres in them to touch.
+  std::optional<Way> way(const SlidingCells<Dim>& cells, const Steps<Dim>& from,
+                         const Steps<Dim>& to) const;
+
+  /// The columns of the layers below, beside and above in which a sphere sees others.
+  Reach reach(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;
+
+  const CellMembers& members() const { return members_; }
+
+ private:
+  using Rows = typename SlidingCells<Dim>::Rows;
+  class Found;
+  void add_columns_behind(const Crossing& crossing, const Reach& reach,
+                          const SlidingCells<Dim>& cells, Found& found) const;
+
+  CellMembers members_;
+  Slides slides_;
+  mutable std::vector<Neighbour> nearby_;  ///< scratch
+};
+
+}  // namespace zenosphere
