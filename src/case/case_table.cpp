@@ -110,7 +110,7 @@ constexpr std::array key_table{
     Key{"walls", "motion", optional, [](Case& c) -> Slot { return &c.walls.motion; }, any,
         &only_walled, "of the lower wall along the axis, from its lowest place, 0, and back"},
     Key{"walls", "amplitude", required, [](Case& c) -> Slot { return &c.walls.amplitude; },
-        from_to(least_amplitude, longest_side), &only_oscillating,
+        from_to(least_amplitude, largest_side), &only_oscillating,
         "of that motion: half the way from the lowest to the highest place [diameters]"},
     Key{"walls", "frequency", required, [](Case& c) -> Slot { return &c.walls.frequency; },
         above(0), &only_oscillating, "of that motion: periods in a time unit [1/time]"},

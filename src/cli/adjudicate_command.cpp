@@ -24,7 +24,7 @@ namespace zenosphere {
 namespace {
 
 /// What the user typed.
-struct Arguments {
+struct AdjudicateArguments {
   std::string file;
   std::vector<std::string> overrides;
   bool json = false;
@@ -35,7 +35,7 @@ struct Arguments {
   double seconds = AdjudicationLimits().seconds;
 };
 
-int adjudicate(const Arguments& arguments) {
+int adjudicate(const AdjudicateArguments& arguments) {
   const bool is_output = is_hdf5_file(arguments.file);
   if (is_output) checked_integrity(arguments.file);
   const Case values = is_output ? parse_case(read_output_info(arguments.file).resolved_case,
@@ -63,7 +63,7 @@ int adjudicate(const Arguments& arguments) {
 }  // namespace
 
 void add_adjudicate(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<AdjudicateArguments>();
   CLI::App& command = *app.add_subcommand(
       "adjudicate", "physics or rounding: replay a collapse with more digits and other rules");
   command.add_option("file", arguments->file, "output file of a run, or a case file")

@@ -26,7 +26,7 @@ namespace {
 constexpr std::string_view folder_of_questions = "new/";
 
 /// What the user typed.
-struct Arguments {
+struct CaseArguments {
   std::optional<std::string> name;
   std::optional<std::string> output;
   std::optional<std::string> folder;
@@ -101,7 +101,7 @@ void hand_out(const ShippedCase& shipped, const std::string& file, bool overwrit
                                title_of(shipped), stem));
 }
 
-int new_case(const Arguments& arguments) {
+int new_case(const CaseArguments& arguments) {
   if (!arguments.name) {
     print("zenosphere new NAME writes a commented case to start from, NAME.toml:\n" +
           listing(is_question, folder_of_questions.size()));
@@ -122,7 +122,7 @@ void copy_all(const std::filesystem::path& folder, bool overwrite) {
   print(fmt::format("{}: {} case and sweep files\n", folder.string(), copied));
 }
 
-int examples(const Arguments& arguments) {
+int examples(const CaseArguments& arguments) {
   if (arguments.folder) {
     require_name(*arguments.folder);
     copy_all(*arguments.folder, arguments.overwrite);
@@ -140,7 +140,7 @@ int examples(const Arguments& arguments) {
 }  // namespace
 
 void add_new(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CaseArguments>();
   CLI::App& command = *app.add_subcommand("new", "write a commented case to start from");
   command.add_option("name", arguments->name, "the question; without it: the list of them")
       ->check(such_as(names_of("new")))
@@ -152,7 +152,7 @@ void add_new(CLI::App& app, int& status) {
 }
 
 void add_examples(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CaseArguments>();
   CLI::App& command = *app.add_subcommand("examples", "list the shipped cases, or copy them");
   const auto name =
       command.add_option("name", arguments->name, "one to copy; without it: the list of them")

@@ -21,7 +21,7 @@ namespace zenosphere {
 namespace {
 
 /// What the user typed.
-struct Arguments {
+struct CheckArguments {
   std::string file;
   std::vector<std::string> overrides;
   bool json = false;
@@ -38,13 +38,13 @@ std::string as_comments(const std::string& text) {
   return comments;
 }
 
-int check(const Arguments& arguments) {
+int check(const CheckArguments& arguments) {
   const Case values = case_from(arguments.file, arguments.overrides);
   print(resolved_toml(values) + '\n' + as_comments(derived_text(values)));
   return exit_code::done;
 }
 
-int info(const Arguments& arguments) {
+int info(const CheckArguments& arguments) {
   constexpr std::uintmax_t most_read = 1 << 30;  // a second or a few
   std::error_code ignored;
   const auto bytes = std::filesystem::file_size(arguments.file, ignored);
@@ -59,7 +59,7 @@ int info(const Arguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   CLI::App& command =
       *app.add_subcommand("check", "validate a case; print resolved and derived values");
   command.add_option("case", arguments->file, "case file; - is the standard input")
@@ -70,7 +70,7 @@ void add_check(CLI::App& app, int& status) {
 }
 
 void add_info(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   CLI::App& command =
       *app.add_subcommand("info", "print the summary of a finished or interrupted run");
   command.add_option("file", arguments->file, "output file of a run")

@@ -33,7 +33,7 @@ std::vector<std::string> names_of_formats() {
 }
 
 /// What the user typed.
-struct Arguments {
+struct ExportArguments {
   std::string file;
   std::string target;
   std::string format;
@@ -42,7 +42,7 @@ struct Arguments {
   bool quiet = false;
 };
 
-int export_output(const Arguments& arguments) {
+int export_output(const ExportArguments& arguments) {
   require_name(arguments.target);
   const Export request{.run = arguments.file,
                        .target = arguments.target,
@@ -73,7 +73,7 @@ void add_selection(CLI::App& command, Selection& selection) {
 }  // namespace
 
 void add_export(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ExportArguments>();
   CLI::App& command =
       *app.add_subcommand("export", "write the snapshots or tables of a run for other programs");
   command.add_option("file", arguments->file, "output file of a run")

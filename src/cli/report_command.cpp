@@ -22,7 +22,7 @@ namespace zenosphere {
 namespace {
 
 /// What the user typed.
-struct Arguments {
+struct ReportArguments {
   std::string file{};
   std::optional<std::string> typed_page{};
   std::string page{};
@@ -31,7 +31,7 @@ struct Arguments {
 };
 
 /// `page.html: report page of out.h5, 1.2 MB; open it in a browser`
-std::string written_text(const Arguments& arguments, bool is_sweep) {
+std::string written_text(const ReportArguments& arguments, bool is_sweep) {
   std::error_code ignored;  // it was written a moment ago
   const auto bytes = static_cast<double>(std::filesystem::file_size(arguments.page, ignored));
   return fmt::format("{}: {} {}, {:.1f} MB; open it in a browser\n", arguments.page,
@@ -44,7 +44,7 @@ std::string page_beside(const std::string& file) {
   return std::filesystem::path(file).replace_extension(".html").string();
 }
 
-int report(Arguments& arguments) {
+int report(ReportArguments& arguments) {
   arguments.page = arguments.typed_page.value_or(page_beside(arguments.file));
   require_file_name(arguments.page, "a page is megabytes of HTML for a browser");
   for (const auto& shown : {std::filesystem::path(arguments.file), journal_of(arguments.file)}) {
@@ -60,7 +60,7 @@ int report(Arguments& arguments) {
 }  // namespace
 
 void add_report(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ReportArguments>();
   CLI::App& command = *app.add_subcommand(
       "report", "make one HTML page that shows a run, or the phase diagrams of a sweep");
   command.add_option("file", arguments->file, "output file of a run, or store of a sweep")

@@ -23,7 +23,7 @@ namespace zenosphere {
 namespace {
 
 /// What the user typed.
-struct Arguments {
+struct RunArguments {
   std::string file;
   std::optional<std::string> output;
   std::vector<std::string> overrides;
@@ -33,7 +33,7 @@ struct Arguments {
   bool fail_on_collapse = false;
 };
 
-RunOptions run_options(const Arguments& arguments) {
+RunOptions run_options(const RunArguments& arguments) {
   RunOptions options;
   options.interrupt = &catch_signals();
   options.output = arguments.output;
@@ -46,7 +46,7 @@ RunOptions run_options(const Arguments& arguments) {
   return options;
 }
 
-int exit_code_of(const Summary& summary, const Arguments& arguments) {
+int exit_code_of(const Summary& summary, const RunArguments& arguments) {
   if (summary.self_check) {
     fmt::print(stderr, "{}: {}\n", arguments.file, *summary.self_check);
     return exit_code::internal_error;
@@ -59,7 +59,7 @@ int exit_code_of(const Summary& summary, const Arguments& arguments) {
 /// Prints what came out and returns the exit code.
 ///
 /// \param kept  the output file that can be resumed; empty: nothing is kept
-int report(const Summary& summary, const Case& values, const Arguments& arguments,
+int report(const Summary& summary, const Case& values, const RunArguments& arguments,
            const std::string& kept) {
   if (!arguments.quiet && is_terminal()) clear_line();
   if (arguments.json) {
@@ -71,7 +71,7 @@ int report(const Summary& summary, const Case& values, const Arguments& argument
 }
 
 /// Where nothing is kept, and where nothing is even printed.
-void tell_what_is_lost(const Arguments& arguments) {
+void tell_what_is_lost(const RunArguments& arguments) {
   if (arguments.output) return;
   if (!arguments.quiet) {
     print_aside(fmt::format("{}: collisions and snapshots are not kept; -o OUT.h5 keeps them\n",
@@ -84,7 +84,7 @@ void tell_what_is_lost(const Arguments& arguments) {
   }
 }
 
-int run(const Arguments& arguments) {
+int run(const RunArguments& arguments) {
   if (arguments.output) {
     require_file_name(*arguments.output, "HDF5 is not written from its beginning to its end");
     require_other_than(arguments.file, *arguments.output, "the case file itself");
@@ -95,14 +95,14 @@ int run(const Arguments& arguments) {
                 arguments.output.value_or(""));
 }
 
-int resume(const Arguments& arguments) {
+int resume(const RunArguments& arguments) {
   RecoveredOutput output = recover(arguments.file);
   const Case values = case_to_resume(output, arguments.overrides);
   const Summary summary = resume_case(values, std::move(output), run_options(arguments));
   return report(summary, values, arguments, arguments.file);
 }
 
-void add_reporting(CLI::App& command, Arguments& arguments) {
+void add_reporting(CLI::App& command, RunArguments& arguments) {
   command.add_flag("--json", arguments.json, "print the summary as one JSON object");
   command.add_flag("--quiet", arguments.quiet, "no progress line, no summary for people");
   command.add_flag("--fail-on-collapse", arguments.fail_on_collapse,
@@ -112,7 +112,7 @@ void add_reporting(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 void add_run(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RunArguments>();
   CLI::App& command = *app.add_subcommand("run", "run a case and print what came out");
   command.add_option("case", arguments->file, "case file; - is the standard input")
       ->required()
@@ -126,7 +126,7 @@ void add_run(CLI::App& app, int& status) {
 }
 
 void add_resume(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RunArguments>();
   CLI::App& command = *app.add_subcommand(
       "resume", "go on with a run that was cut off, or make a finished one longer");
   command.add_option("file", arguments->file, "output file of a run")

@@ -29,7 +29,7 @@ namespace zenosphere {
 namespace {
 
 /// What the user typed.
-struct Arguments {
+struct SweepArguments {
   std::string file;
   std::optional<std::string> store;
   std::optional<std::size_t> threads;
@@ -40,7 +40,7 @@ struct Arguments {
 };
 
 /// The sweep file's name with another ending, in the current folder.
-std::string store_of(const Arguments& arguments) {
+std::string store_of(const SweepArguments& arguments) {
   if (arguments.store) return *arguments.store;
   return std::filesystem::path(arguments.file).filename().replace_extension(".sqlite").string();
 }
@@ -52,7 +52,7 @@ struct Crew {
   std::function<std::unique_ptr<Workers>(RunSetting)> make;
 };
 
-int show_plan(const Arguments& arguments, const Sweep& sweep, const Crew& crew) {
+int show_plan(const SweepArguments& arguments, const Sweep& sweep, const Crew& crew) {
   const std::string store = store_of(arguments);
   std::error_code ignored;
   const bool is_there = std::filesystem::exists(store, ignored);
@@ -78,7 +78,7 @@ int exit_code_of(const SweepProgress& progress) {
   return progress.counts.failed > 0 ? exit_code::internal_error : exit_code::done;
 }
 
-int run_runs(const Arguments& arguments, const Sweep& sweep, const Crew& crew) {
+int run_runs(const SweepArguments& arguments, const Sweep& sweep, const Crew& crew) {
   SweepOptions options{.interrupt = &catch_signals()};
   SweepStore store(store_of(arguments), sweep);
   tell_of_other_program(store);
@@ -103,19 +103,19 @@ int run_runs(const Arguments& arguments, const Sweep& sweep, const Crew& crew) {
   return exit_code_of(progress);
 }
 
-int sweep(const Arguments& arguments, const Crew& crew) {
+int sweep(const SweepArguments& arguments, const Crew& crew) {
   const Sweep sweep = read_sweep(arguments.file);
   return arguments.dry_run ? show_plan(arguments, sweep, crew) : run_runs(arguments, sweep, crew);
 }
 
-int sweep_in_threads(const Arguments& arguments) {
+int sweep_in_threads(const SweepArguments& arguments) {
   const std::size_t threads = arguments.threads.value_or(usable_cores());
   return sweep(arguments, {threads, "threads", [threads](RunSetting setting) {
                              return std::make_unique<ThreadWorkers>(std::move(setting), threads);
                            }});
 }
 
-int sweep_in_ranks(const Arguments& arguments) {
+int sweep_in_ranks(const SweepArguments& arguments) {
   const MpiSession session;
   if (session.rank() != 0) {
     serve_runs(session, catch_signals());
@@ -136,7 +136,7 @@ int sweep_in_ranks(const Arguments& arguments) {
                            }});
 }
 
-int sweep(const Arguments& arguments) {
+int sweep(const SweepArguments& arguments) {
   if (arguments.file.empty()) {
     throw InputError("sweep: which one? (no file is named); write zenosphere sweep SWEEP.toml");
   }
@@ -155,7 +155,7 @@ void refuse_overrides(const std::vector<std::string>& overrides) {
 }  // namespace
 
 void add_sweep(CLI::App& app, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SweepArguments>();
   CLI::App& command = *app.add_subcommand(
       "sweep", "run an ensemble over a grid of keys and seeds into one SQLite store");
   command.add_option("file", arguments->file, "sweep file")->type_name("SWEEP.toml");

@@ -21,18 +21,18 @@ namespace zenosphere {
 namespace {
 
 /// What the user typed.
-struct Arguments {
+struct SweepShowArguments {
   std::string file;
   std::int64_t run = 0;
   std::optional<std::string> output;
 };
 
-int show(const Arguments& arguments) {
+int show(const SweepShowArguments& arguments) {
   print(case_text_of_run(arguments.file, arguments.run));
   return exit_code::done;
 }
 
-int csv(const Arguments& arguments) {
+int csv(const SweepShowArguments& arguments) {
   const std::string output = arguments.output.value_or("-");
   require_name(output);
   require_other_than(arguments.file, output, "the store itself");
@@ -47,7 +47,7 @@ int csv(const Arguments& arguments) {
 }  // namespace
 
 void add_sweep_show_and_csv(CLI::App& command, int& status) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SweepShowArguments>();
   CLI::App& show_command =
       *command.add_subcommand("show", "print the case file of one run, for zenosphere run");
   show_command.add_option("file", arguments->file, "sweep file or store")

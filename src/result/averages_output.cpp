@@ -95,8 +95,7 @@ class AverageLines {
                    row(&Observables::wall_work, 0, a_.wall_work.size()) + " per area and time");
     }
     return text + sonine_line() + streak_line() + a_.steady_reason +
-           (a_.steady_reason.empty() ? "" : "
-");
+           (a_.steady_reason.empty() ? "" : "\n");
   }
 
  private:

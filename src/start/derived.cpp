@@ -101,7 +101,7 @@ void add_kicks(const Case& values, AlignedLines& lines) {
   lines.add("kicks until run.time", std::floor(*values.run.time / values.drive.kick_interval));
 }
 
-void add_plate(const Case& values, Lines& lines) {
+void add_plate(const Case& values, AlignedLines& lines) {
   const auto& walls = values.walls;
   if (!walls.motion) return;
   const Oscillation<double> plate(*walls.motion, walls.amplitude, 1 / walls.frequency);

@@ -53,7 +53,7 @@ struct Header {
   std::vector<double> origin;                      ///< D, diameters: the lowest corner of the box
   std::optional<std::array<bool, 3>> is_periodic;  ///< none: not told
   Columns columns;
-  std::vector<std::string> kind_names;  ///< of the numbers in the column `kind`; maybe none
+  std::vector<std::string> kind_names{};  ///< of the numbers in the column `kind`; maybe none
 };
 
 /// Reads the second line of a frame: `Lattice`, `Origin`, `pbc` and `Properties`, keys in any case.
