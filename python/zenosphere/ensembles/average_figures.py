@@ -6,8 +6,6 @@ from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodF
 
 from ..drawing.pictures import COLOURS, INK, points
 from ..errors import InputError
-from ..rheology.anisotropic import anisotropic_flow
-from ..rheology.navier_stokes import navier_stokes_flow
 from . import panels
 
 LABELS = {  # name on an axis
@@ -19,8 +17,9 @@ SHEARED = ("granular_temperature", "pressure", "shear_stress", "n1", "n2", "soni
 AT_REST = ("granular_temperature", "pressure", "compressibility_factor", "sonine_a2",
            "collision_rate")
 POWERS = {"granular_temperature": 2, "pressure": 2, "shear_stress": 2, "collision_rate": 1}
-THEORIES = {"kinetic theory, anisotropic Maxwellian": (anisotropic_flow, "-"),
-            "kinetic theory, Navier-Stokes order": (navier_stokes_flow, ":")}
+ANISOTROPIC, NAVIER_STOKES = ("kinetic theory, anisotropic Maxwellian",
+                              "kinetic theory, Navier-Stokes order")
+THEORIES = {ANISOTROPIC: "-", NAVIER_STOKES: ":"}
 CURVE = 40  # points of a theory's curve
 
 
@@ -38,7 +37,7 @@ def draw_averages(part, heading, figure_grid, styles, pictures):
     x = np.array(x, dtype=float)
     curves = [theory_curves(part, fraction) for fraction in columns]
     handles = panels.series_handles(*part.axis("series")) + [
-        Line2D([], [], color=INK, linestyle=THEORIES[name][1], linewidth=0.9, label=name)
+        Line2D([], [], color=INK, linestyle=THEORIES[name], linewidth=0.9, label=name)
         for name in THEORIES if any(name in each for each in curves)]
     figure, grid = figure_grid(pictures, heading, len(shown), len(columns), (1.9, 1.25), handles)
     for (row, column), axes in np.ndenumerate(grid):
@@ -87,13 +86,20 @@ def theory_curves(part, fraction):
     span = np.linspace(min(x), min(max(x), 0.999), CURVE)
     try:
         return {name: (span, [solve(e, fraction) for e in span])
-                for name, (solve, _) in THEORIES.items()}
+                for name, solve in _solvers().items()}
     except InputError:
         return {}
+
+
+def _solvers():
+    """What solves each of the theories: only where curves are drawn, since it reads SciPy."""
+    from ..rheology.anisotropic import anisotropic_flow
+    from ..rheology.navier_stokes import navier_stokes_flow
+    return {ANISOTROPIC: anisotropic_flow, NAVIER_STOKES: navier_stokes_flow}
 
 
 def _draw_theories(axes, name, curves):
     for theory, (span, flows) in curves.items():
         values = np.array([getattr(flow, name, np.nan) for flow in flows])
         if np.isfinite(values).any():
-            axes.plot(span, values, THEORIES[theory][1], color=INK, linewidth=0.9, zorder=2)
+            axes.plot(span, values, THEORIES[theory], color=INK, linewidth=0.9, zorder=2)
