@@ -58,6 +58,11 @@ class SlidingCells {
     int first_layer = -1, last_layer = 1;  ///< along y
     int first_row = -1, last_row = 1;      ///< along z
   };
+  /// All of them, known to the compiler.
+  struct AllRows {
+    static constexpr int first_layer = -1, last_layer = 1;
+    static constexpr int first_row = -1, last_row = 1;
+  };
 
   /// Steps along the gradient direction: how many layers up.
   static int layers(const Steps<Dim>& steps) { return Dim > 1 ? steps[Dim > 1 ? 1 : 0] : 0; }
@@ -67,11 +72,11 @@ class SlidingCells {
   /// through a cell more than once, on another way.
   template <class Visit>
   void for_each_run(const Steps<Dim>& home, const Reach& reach, Visit visit) const {
-    for_each_run(home, reach, Rows(), visit);
+    for_each_run(home, reach, AllRows(), visit);
   }
-  /// The same of some of these rows.
-  template <class Visit>
-  void for_each_run(const Steps<Dim>& home, const Reach& reach, const Rows& seen,
+  /// The same of some of these rows: Rows, or AllRows.
+  template <class SeenRows, class Visit>
+  void for_each_run(const Steps<Dim>& home, const Reach& reach, const SeenRows& seen,
                     Visit visit) const {
     constexpr std::size_t y = Dim > 1 ? 1 : 0;
     constexpr std::size_t z = Dim > 2 ? 2 : 0;
