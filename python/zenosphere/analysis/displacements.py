@@ -4,6 +4,7 @@ import numpy as np
 
 from .blocking import errors_of_means, mean_and_error, measured
 from .frames import AXES
+from .kinds import common_motion
 
 FREE_TIMES = 40  # of flight, the length of a stretch: the fit begins at half of it
 FEWEST_LAGS = 10
@@ -103,13 +104,7 @@ class Displacements:
             certain[0] &= certain[1] and self.shear_rate * interval <= MOST_STRAIN
         certain[[axis for axis in range(frame.dimension) if axis not in self._axes]] = True
         self._is_certain &= certain
-        return step - self._common(step) if self._is_carried else step
-
-    def _common(self, step):
-        """Mean of all spheres; of a mixture by mass."""
-        if self._kinds is None:
-            return step.mean(axis=0)
-        return self._kinds.mass @ step / self._kinds.mass.sum()
+        return step - common_motion(self._kinds, step) if self._is_carried else step
 
     def _height(self, last, step):
         """Mean height above the middle of the box along the way, (N), for the imposed profile."""

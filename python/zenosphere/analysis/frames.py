@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from ..errors import InputError
-from .kinds import Kinds
+from .kinds import Kinds, common_motion
 from .periodic_box import PeriodicBox
 
 MOST_IN_DETAIL = 40  # snapshots for what is costly: g(r) and S(k) as whole curves
@@ -137,17 +137,12 @@ class Frames:
     def _peculiar(self, state):
         velocities = state.peculiar_velocities
         if self.walls is None:
-            return velocities - self._common(velocities) if len(velocities) > 1 else velocities
+            common = common_motion(self.kinds, velocities) if len(velocities) > 1 else 0
+            return velocities - common
         layers = max(len(velocities) // 100, 1)
         order = np.argsort(state.positions[:, self.walls], kind="stable")
         relative = velocities.copy()
         for layer in np.array_split(order, layers):
-            relative[layer] -= self._common(relative, layer) if len(velocities) > 1 else 0
+            relative[layer] -= (common_motion(self.kinds, relative, layer)
+                                if len(velocities) > 1 else 0)
         return relative
-
-    def _common(self, velocities, among=slice(None)):
-        """Mean velocity of some spheres, by mass, without immobile ones; of no sphere 0."""
-        if self.kinds is None:
-            return velocities[among].mean(axis=0)
-        mass = np.where(self.kinds.mobile, self.kinds.mass, 0)[among]
-        return mass @ velocities[among] / mass.sum() if mass.any() else 0

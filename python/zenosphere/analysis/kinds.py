@@ -5,6 +5,19 @@ from functools import cached_property
 
 import numpy as np
 
+UNIT_SPHERE_VOLUME = {1: 1.0, 2: np.pi / 4, 3: np.pi / 6}  # of diameter 1, by dimension
+
+
+def common_motion(kinds, vectors, among=slice(None)):
+    """Mean of a vector of some spheres, by mass, without immobile ones; of no sphere 0.
+
+    kinds: Kinds, None for unit spheres;  vectors: (N, D), velocities or displacements
+    """
+    if kinds is None:
+        return vectors[among].mean(axis=0)
+    mass = np.where(kinds.mobile, kinds.mass, 0)[among]
+    return mass @ vectors[among] / mass.sum() if mass.any() else 0
+
 
 @dataclass(frozen=True)
 class Kinds:

@@ -1,11 +1,11 @@
 """Radial distributions of the spheres of a mixture: of all pairs, and of each pair of kinds."""
 
 from itertools import combinations_with_replacement
-from math import pi
 
 import numpy as np
 
 from .blocking import errors_of_means, measured
+from .kinds import UNIT_SPHERE_VOLUME
 from .radial import (BIN, FARTHEST, WIDEST_CONTACT, contact_range, end_weight, shell_volume,
                      surface)
 
@@ -87,8 +87,8 @@ class PartialDistributions:
 
     def _contact_width(self, frames):
         """Over which x from contact g_ab is taken for a cubic: of the smallest spheres' packing."""
-        volume = self._kinds.volumes(self._dimension).sum() * {1: 1, 2: pi / 4, 3: pi / 6}[
-            self._dimension]
+        volume = (self._kinds.volumes(self._dimension).sum()
+                  * UNIT_SPHERE_VOLUME[self._dimension])
         width = contact_range(self._dimension, volume / np.prod(frames.box.sides))
         smallest = self._kinds.diameter.min()
         return float(min(width * smallest / self._largest, WIDEST_CONTACT,

@@ -4,6 +4,7 @@ import numpy as np
 
 from .blocking import errors_of_means
 from .frames import AXES
+from .kinds import UNIT_SPHERE_VOLUME
 
 THICK, THIN = 1.0, 0.5  # diameters, layers of a periodic box and between walls
 MOST = 200
@@ -55,7 +56,7 @@ class Profiles:
                       "granular_temperature": errors_of_means(about / (self.dimension * number))}
         place = (self.edges[1:] + self.edges[:-1]) / 2
         mean[:, 0] += self.shear_rate * (place - self.edges[-1] / 2)
-        sphere = {1: 1.0, 2: np.pi / 4, 3: np.pi / 6}[self.dimension] / self._layer_volume
+        sphere = UNIT_SPHERE_VOLUME[self.dimension] / self._layer_volume
         volume = volumes.sum(axis=2)
         errors["solids_volume_fraction"] = errors_of_means(volume * sphere)
         return {"profiles": {
