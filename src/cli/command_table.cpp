@@ -13,7 +13,7 @@ namespace {
 
 using Example = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array examples{
+constexpr std::array example_lines{
     Example{"run", "zenosphere run sheared.toml -o run.h5 --set system.restitution=0.3"},
     Example{"resume", "zenosphere resume run.h5 --set run.collisions=3000000"},
     Example{"check", "zenosphere check sheared.toml"},
@@ -124,7 +124,7 @@ std::string joined(std::span<const std::string> words, std::string_view separato
   return text;
 }
 
-std::string_view example_of(std::string_view command) { return text_for(examples, command); }
+std::string_view example_of(std::string_view command) { return text_for(example_lines, command); }
 
 std::string exit_code_lines(std::string_view command) {
   std::string name = ' ' + std::string(command);

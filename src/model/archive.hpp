@@ -2,10 +2,8 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -36,9 +34,15 @@ class ArchiveError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+namespace archive_detail {
+
+[[noreturn]] void refuse(const char* what);
+
+}  // namespace archive_detail
+
 /// Throws ArchiveError unless something holds that every archive fulfils.
 inline void require_archived(bool holds, const char* what) {
-  if (!holds) throw ArchiveError(what);
+  if (!holds) archive_detail::refuse(what);
 }
 
 /// More than any run counts to, in a hundred thousand years; the sum of two fits 64 bits.
@@ -56,9 +60,6 @@ void require_counts(const Counts&... counts) {
 namespace archive_detail {
 
 static_assert(std::endian::native == std::endian::little);
-
-inline constexpr std::size_t extended_bytes = 10;  // of the 16 that a long double is stored in
-inline constexpr int digits_exponent_limit = 1 << 30;
 
 /// Numbers whose bytes in memory are their bytes in an archive.
 template <class T>
@@ -81,27 +82,17 @@ class ArchiveWriter {
   Bytes release() { return std::move(bytes_); }
 
  private:
-  void raw(const void* data, std::size_t size) {
-    const auto* begin = static_cast<const std::uint8_t*>(data);
-    bytes_.insert(bytes_.end(), begin, begin + size);
-  }
+  void raw(const void* data, std::size_t size);
 
   template <archive_detail::Plain Number>
   void write(const Number& value) {
     raw(&value, sizeof value);
   }
-  void write(const bool& value) { bytes_.push_back(value ? 1 : 0); }
-  void write(const Extended& value) { raw(&value, archive_detail::extended_bytes); }
-  void write(const Quad& value) { raw(&value, sizeof value); }
-  void write(const Digits& value) {
-    const auto parts = parts_of(value);
-    (*this)(static_cast<std::uint8_t>(parts.kind), parts.negative, parts.exponent);
-    raw(parts.words.data(), parts.words.size() * sizeof parts.words.front());
-  }
-  void write(const std::string& text) {
-    write(std::uint64_t{text.size()});
-    raw(text.data(), text.size());
-  }
+  void write(const bool& value);
+  void write(const Extended& value);
+  void write(const Quad& value);
+  void write(const Digits& value);
+  void write(const std::string& text);
   template <class T, class Allocator>
   void write(const std::vector<T, Allocator>& values) {
     write(std::uint64_t{values.size()});
@@ -166,59 +157,20 @@ class ArchiveReader {
   void require_end() const { require_archived(rest_.empty(), "more bytes than its state takes"); }
 
  private:
-  void raw(void* data, std::size_t size) {
-    require_archived(size <= rest_.size(), "fewer bytes than its state takes");
-    if (size > 0) std::memcpy(data, rest_.data(), size);
-    rest_ = rest_.subspan(size);
-  }
-
+  void raw(void* data, std::size_t size);
   /// A length that the bytes left can fill with values of `size` bytes or more.
-  std::size_t length(std::size_t size) {
-    const auto count = next<std::uint64_t>();
-    require_archived(count <= rest_.size() / size, "fewer bytes than its state takes");
-    return static_cast<std::size_t>(count);
-  }
+  std::size_t length(std::size_t size);
 
   template <archive_detail::Plain Number>
   void read(Number& value) {
     raw(&value, sizeof value);
   }
-  void read(bool& value) {
-    const auto byte = next<std::uint8_t>();
-    require_archived(byte <= 1, "a truth value that is neither");
-    value = byte == 1;
-  }
-  void read(Extended& value) {
-    if (is_promoting()) return promote(value);
-    value = 0;  // the bytes of padding too
-    raw(&value, archive_detail::extended_bytes);
-  }
-  void read(Quad& value) {
-    if (is_promoting()) return promote(value);
-    raw(&value, sizeof value);
-  }
-  void read(Digits& value) {
-    if (is_promoting()) return promote(value);
-    value = digits(WorkingPrecision::bits());
-  }
-  Digits digits(int bits) {
-    DigitsParts parts;
-    const auto kind = next<std::uint8_t>();
-    (*this)(parts.negative, parts.exponent);
-    parts.words.resize(words_of_bits(bits));
-    raw(parts.words.data(), parts.words.size() * sizeof parts.words.front());
-    require_archived(
-        kind <= 2 && std::abs(std::int64_t{parts.exponent}) < archive_detail::digits_exponent_limit,
-        "a number that there is not");
-    parts.kind = NumberKind{kind};
-    const auto number = composed(parts, bits);
-    require_archived(number.has_value(), "a number that there is not");
-    return *number;
-  }
-  void read(std::string& text) {
-    text.resize(length(1));
-    raw(text.data(), text.size());
-  }
+  void read(bool& value);
+  void read(Extended& value);
+  void read(Quad& value);
+  void read(Digits& value);
+  void read(std::string& text);
+  Digits digits(int bits);
   template <class T, class Allocator>
   void read(std::vector<T, Allocator>& values) {
     values.clear();
@@ -248,23 +200,7 @@ class ArchiveReader {
 
   /// A number of the type in which it was written.
   template <class Real>
-  void promote(Real& value) {
-    const int bits = std::exchange(written_bits_, 0);
-    if (bits == Precision::double_precision.bits()) {
-      value = Real(next<double>());
-    } else if (bits == Precision::extended.bits()) {
-      value = Real(next<Extended>());
-    } else if constexpr (!std::is_same_v<Real, Extended>) {
-      if (bits == Precision::quad.bits()) {
-        value = Real(next<Quad>());
-      } else if constexpr (std::is_same_v<Real, Digits>) {
-        value = digits(bits).in_working_precision();
-      } else {
-        value = Real(digits(bits));
-      }
-    }
-    written_bits_ = bits;
-  }
+  void promote(Real& value);
 
   std::span<const std::uint8_t> rest_;
   int written_bits_ = 0;  ///< 0: those of the type asked for

@@ -14,7 +14,7 @@ namespace zenosphere {
 
 namespace {
 
-constexpr slong kBits = 256;
+constexpr slong precision_bits = 256;
 
 /// A complex matrix of Arb, with its memory.
 class ComplexMatrix {
@@ -39,7 +39,7 @@ void assign(arb_t to, const Rational& value) {
   fmpq_t copy;
   fmpq_init(copy);
   fmpq_set_mpq(copy, value.get_mpq_t());
-  arb_set_fmpq(to, copy, kBits);
+  arb_set_fmpq(to, copy, precision_bits);
   fmpq_clear(copy);
 }
 
@@ -55,7 +55,7 @@ struct Eigenvalue {
   /// Not a rounding error of a real one.
   bool is_complex() const {
     Rational bound = square;
-    mpq_div_2exp(bound.get_mpq_t(), bound.get_mpq_t(), kBits / 2);
+    mpq_div_2exp(bound.get_mpq_t(), bound.get_mpq_t(), precision_bits / 2);
     return imaginary * imaginary > bound;
   }
 };
@@ -100,8 +100,8 @@ std::optional<RationalMatrix> eigenbasis(const RationalMatrix& matrix) {
     for (std::size_t j = 0; j < size; ++j) assign(acb_realref(given.at(i, j)), matrix[i][j]);
   }
   acb_ptr values = _acb_vec_init(static_cast<slong>(size));
-  const int is_found =
-      acb_mat_approx_eig_qr(values, nullptr, vectors.value(), given.value(), nullptr, 0, kBits);
+  const int is_found = acb_mat_approx_eig_qr(values, nullptr, vectors.value(), given.value(),
+                                             nullptr, 0, precision_bits);
   const std::vector<Eigenvalue> order = sorted(values, size);
   _acb_vec_clear(values, static_cast<slong>(size));
   if (is_found == 0 || order[0].is_complex() || order[0].real <= 0) return std::nullopt;

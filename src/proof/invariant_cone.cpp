@@ -26,11 +26,11 @@ Rational spread(const RationalVector& row, const RationalVector& radii) {
 /// rounded outwards, so that the numbers of the proof stay short.
 Rational slightly_above(const Rational& value) {
   if (value == 0) return 0;
-  constexpr long kBits = 64;
+  constexpr long root_bits = 64;
   const auto size = [](const Integer& z) {
     return static_cast<long>(mpz_sizeinbase(z.get_mpz_t(), 2));
   };
-  const long shift = kBits - size(value.get_num()) + size(value.get_den());
+  const long shift = root_bits - size(value.get_num()) + size(value.get_den());
   const auto bits = static_cast<mp_bitcnt_t>(std::labs(shift));
   Integer top = value.get_num();
   Integer bottom = value.get_den();

@@ -236,11 +236,11 @@ TEST(Mixture, BetweenWallsBouncesOffAtItsRadius) {
 TEST(Mixture, OnALineTakesSizesAndMasses) {
   // Rods of 2 and 1, mass 3 and 1, 4 apart: the gap of 2.5 closes at 1; e = 0.5: the momentum
   // changes by 1.5 x 3/4.
-  using Line = Simulation<1, double>;
+  using OnALine = Simulation<1, double>;
   Configuration<1, double> start{{{2}, {6}}, {{1}, {0}}};
   start.grains.diameters = {2, 1};
   start.grains.masses = {3, 1};
-  Line line(ShearBox<1, double>({20}, 0, 2.2), start, {0.5});
+  OnALine line(ShearBox<1, double>({20}, 0, 2.2), start, {0.5});
   const auto collision = line.next_collision(10).value();
   EXPECT_DOUBLE_EQ(line.time(), 2.5);
   EXPECT_DOUBLE_EQ(collision.gap_before, 2.5 / 1.5);

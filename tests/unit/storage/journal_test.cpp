@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Checkpoint checkpoint(std::int64_t collisions) {
+Checkpoint journal_checkpoint(std::int64_t collisions) {
   Checkpoint checkpoint;
   checkpoint.collisions = collisions;
   checkpoint.log_rows = collisions;
@@ -36,11 +36,11 @@ class JournalTest : public ::testing::Test {
     Journal journal(output);
     journal.begin(basis);
     journal.append(rows(1, 3));
-    journal.append(checkpoint(3));
+    journal.append(journal_checkpoint(3));
     first_end = journal.size();
     journal.append(rows(4, 2));
     journal.append(Snapshot{5, 1.5, {1}, {2}, {3}});
-    journal.append(checkpoint(5));
+    journal.append(journal_checkpoint(5));
     second_end = journal.size();
     journal.append(rows(6, 1));
   }
@@ -58,7 +58,7 @@ class JournalTest : public ::testing::Test {
   TemporaryFolder folder;
   fs::path output = folder.path / "out.h5";
   fs::path copy = folder.path / "copy";
-  Basis basis = Basis::of(checkpoint(0));
+  Basis basis = Basis::of(journal_checkpoint(0));
   std::uint64_t first_end = 0;
   std::uint64_t second_end = 0;
 };
@@ -141,7 +141,7 @@ TEST_F(JournalTest, RecordOfAnEarlierJournalIsNoneOfThisOne) {
   write_journal();
   const Bytes old = bytes();
   Journal journal(output);
-  journal.begin(Basis::of(checkpoint(5)));
+  journal.begin(Basis::of(journal_checkpoint(5)));
   Bytes mixed = bytes();
   mixed.insert(mixed.end(), old.begin() + static_cast<std::ptrdiff_t>(mixed.size()), old.end());
   EXPECT_FALSE(contents(mixed).checkpoint);
@@ -154,7 +154,7 @@ TEST_F(JournalTest, NewEndOfTheRunCountsAtOnceAndStays) {
   EXPECT_EQ(contents(bytes()).resolved_case, "a = 1\n");
   EXPECT_EQ(contents(bytes()).end, journal.size());
   journal.append(rows(1, 1));
-  journal.append(checkpoint(1));
+  journal.append(journal_checkpoint(1));
   EXPECT_EQ(contents(bytes()).resolved_case, "a = 1\n");
 }
 
@@ -165,7 +165,7 @@ TEST_F(JournalTest, GoesOnBehindWhatWasFound) {
     journal.continue_after(basis, contents(bytes()));
     EXPECT_EQ(journal.size(), second_end);
     journal.append(rows(6, 2));
-    journal.append(checkpoint(7));
+    journal.append(journal_checkpoint(7));
   }
   EXPECT_EQ(contents(bytes()).checkpoint->collisions, 7);
 }
