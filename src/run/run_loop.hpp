@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "case/case_file.hpp"
@@ -75,7 +74,7 @@ class Run final : public SteppedRun {
     if (const auto& pair = simulation_.stopped_before()) rows_.observe_next(pair->gap);
   }
 
-  bool is_over() const override { return !ended_by_.empty(); }
+  bool is_over() const override { return ended_by_.has_value(); }
   std::int64_t collisions() const override { return simulation_.collisions(); }
   double time() const override { return std::max(simulation_.time(), stopped_at_); }
   void save() override {
@@ -93,11 +92,11 @@ class Run final : public SteppedRun {
   }
 
   Summary finish() override {
-    if (!is_over()) ended_by_ = "signal";
+    if (!is_over()) ended_by_ = EndedBy::signal;
     keep_the_end();
     if (stopped_at_ > simulation_.time()) simulation_.wait_until(stopped_at_);
     observers_.look(simulation_);  // a longer run would not look here
-    if (observers_.has_violation()) ended_by_ = "self-check";
+    if (observers_.has_violation()) ended_by_ = EndedBy::self_check;
     if (const auto& pair = simulation_.stopped_before()) {
       observers_.observe_next(pair->i, pair->j, pair->gap);
       if (recorder_) recorder_->observe_next(pair->gap);
@@ -127,16 +126,16 @@ class Run final : public SteppedRun {
   bool is_ending() {
     const auto& limits = values_.run;
     if (observers_.has_violation()) {
-      ended_by_ = "self-check";
+      ended_by_ = EndedBy::self_check;
     } else if (options_.interrupt && *options_.interrupt) {
-      ended_by_ = "signal";
+      ended_by_ = EndedBy::signal;
     } else if (observers_.has_arrested() && values_.collapse.stop_when_collapsed) {
-      ended_by_ = "arrest";
-    } else if (const char* end = end_of_collisions(simulation_, driving_)) {
+      ended_by_ = EndedBy::arrest;
+    } else if (const auto end = end_of_collisions(simulation_, driving_)) {
       ended_by_ = end;
     } else if (limits.collisions && simulation_.collisions() >= *limits.collisions) {
-      ended_by_ = "collisions";
-    } else if (const char* late = end_of_time(simulation_, values_)) {
+      ended_by_ = EndedBy::collisions;
+    } else if (const auto late = end_of_time(simulation_, values_)) {
       ended_by_ = late;
     }
     return is_over();
@@ -163,7 +162,7 @@ class Run final : public SteppedRun {
     const bool is_end = until >= last_moment<Real>(values_);
     if (is_end) keep_the_end();
     if (until >= end_of_clock<Real>()) {
-      ended_by_ = "clock";
+      ended_by_ = EndedBy::clock;
       return;
     }
     simulation_.wait_until(until);
@@ -267,12 +266,8 @@ class Run final : public SteppedRun {
     observers_.add_to(summary, simulation);
     summary.species = species_summary(values_, summary.averages);
     summary.ended_by = ended_by_;
-    summary.verdict = word(verdict(course_of(summary)));
-    const bool is_interrupted = ended_by_ == "signal" || ended_by_ == "self-check";
-    summary.outcome = ended_by_.empty()       ? "unfinished"
-                      : is_interrupted        ? "interrupted"
-                      : ended_by_ == "arrest" ? "collapsed"
-                                              : "finished";
+    summary.verdict = verdict(course_of(summary));
+    summary.outcome = outcome_of(ended_by_);
     summary.wall_seconds = wall_seconds();
     summary.collisions_per_second = static_cast<double>(summary.collisions) / summary.wall_seconds;
     summary.peak_memory_bytes = peak_memory_bytes();
@@ -294,7 +289,7 @@ class Run final : public SteppedRun {
   std::optional<Recorder<Dim, Real>> recorder_;
   bool is_end_kept_ = false;
   Stopwatch stopwatch_;
-  std::string ended_by_;
+  std::optional<EndedBy> ended_by_;
   unsigned calls_ = 0;
   double next_report_ = 0, next_look_ = 1;  ///< by the stopwatch [s]
   double earlier_seconds_ = 0;              ///< wall time before the run was resumed
