@@ -21,9 +21,9 @@ Cell arrest_pairs(const Summary& summary) {
 
 std::vector<ResultColumn> columns_of_collapse() {
   return {
-      {"outcome", "TEXT", [](const Summary& s) -> Cell { return s.outcome; }},
-      {"ended_by", "TEXT", [](const Summary& s) -> Cell { return s.ended_by; }},
-      {"verdict", "TEXT", [](const Summary& s) -> Cell { return s.verdict; }},
+      {"outcome", "TEXT", [](const Summary& s) -> Cell { return word(s.outcome); }},
+      {"ended_by", "TEXT", [](const Summary& s) -> Cell { return word(s.ended_by); }},
+      {"verdict", "TEXT", [](const Summary& s) -> Cell { return word(s.verdict); }},
       {"collisions", "INTEGER", [](const Summary& s) -> Cell { return s.collisions; }},
       {"collisions_per_sphere", "REAL",
        [](const Summary& s) -> Cell { return s.collisions_per_sphere; }},

@@ -16,12 +16,11 @@ namespace zenosphere {
 
 namespace {
 
-using Outcome = decltype(RunResult::outcome);
-constexpr const char* wall_time = "wall time";
+using RunOutcome = decltype(RunResult::outcome);
 
 /// A run, with its own flag to end it.
-Outcome outcome_of(const Case& values, const std::optional<double>& wall_seconds,
-                   const std::function<bool()>& is_cancelled) {
+RunOutcome outcome_of_run(const Case& values, const std::optional<double>& wall_seconds,
+                          const std::function<bool()>& is_cancelled) {
   std::atomic<bool> is_to_end{false};
   bool is_too_long = false;
   RunOptions options;
@@ -32,9 +31,9 @@ Outcome outcome_of(const Case& values, const std::optional<double>& wall_seconds
   };
   Summary summary = run_case(values, options);
   if (summary.self_check) return Failure{*summary.self_check};
-  if (summary.ended_by == "signal") {
+  if (summary.ended_by == EndedBy::signal) {
     if (!is_too_long) return Dropped{};
-    summary.ended_by = wall_time;
+    summary.ended_by = EndedBy::wall_time;
   }
   return summary;
 }
@@ -73,10 +72,10 @@ std::optional<AdjudicationResult> adjudicated(Case values,
 }
 
 /// What is to be adjudicated of an outcome, if anything.
-std::optional<DoneRun> run_with_hits(const Outcome& outcome) {
+std::optional<DoneRun> run_with_hits(const RunOutcome& outcome) {
   const auto* summary = std::get_if<Summary>(&outcome);
   if (!summary || summary->separation.hits == 0) return std::nullopt;
-  const bool is_cut_off = summary->ended_by == wall_time;
+  const bool is_cut_off = summary->ended_by == EndedBy::wall_time;
   return DoneRun{is_cut_off ? std::optional(summary->collisions) : std::nullopt};
 }
 
@@ -87,7 +86,7 @@ RunResult result_of(std::int64_t run, const Case& told, const RunRules& rules,
   try {
     const Case values = with_species_of_start(told);
     RunResult result{run, Unchanged{}};
-    if (!rules.done) result.outcome = outcome_of(values, rules.wall_seconds, is_cancelled);
+    if (!rules.done) result.outcome = outcome_of_run(values, rules.wall_seconds, is_cancelled);
     const auto done = rules.done ? rules.done : run_with_hits(result.outcome);
     if (!rules.adjudicate || !done) return result;
     result.adjudication = adjudicated(values, done->collisions, *rules.adjudicate, is_cancelled);

@@ -1,23 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cassert>
-#include <string_view>
 
 #include "case/case.hpp"
+#include "model/word_table.hpp"
 
 namespace zenosphere::case_format {
 
-/// A word that a key takes, and what it stands for.
-template <class Choice>
-struct Word {
-  std::string_view text;
-  Choice choice;
-};
-template <class Choice>
-Word(const char*, Choice) -> Word<Choice>;  // clang 14 does not deduce it for an aggregate
-
+// The words that keys take.
 inline constexpr std::array arrangement_words{
     Word{"fcc", Arrangement::fcc}, Word{"random", Arrangement::random},
     Word{"given", Arrangement::given}, Word{"file", Arrangement::file}};
@@ -56,11 +46,7 @@ inline const auto& words_of(SizeDistribution) { return distribution_words; }
 /// The word for a choice.
 template <class Choice>
 const char* word_for(Choice choice) {
-  const auto& words = words_of(choice);
-  const auto found = std::find_if(words.begin(), words.end(),
-                                  [choice](const auto& word) { return word.choice == choice; });
-  assert(found != words.end());
-  return found->text.data();  // a literal
+  return word_in(words_of(choice), choice);
 }
 
 }  // namespace zenosphere::case_format

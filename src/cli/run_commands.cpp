@@ -51,8 +51,9 @@ int exit_code_of(const Summary& summary, const RunArguments& arguments) {
     fmt::print(stderr, "{}: {}\n", arguments.file, *summary.self_check);
     return exit_code::internal_error;
   }
-  if (summary.outcome == "interrupted") return exit_code::interrupted;
-  if (arguments.fail_on_collapse && summary.verdict == "true") return exit_code::collapsed;
+  if (summary.outcome == Outcome::interrupted) return exit_code::interrupted;
+  if (arguments.fail_on_collapse && summary.verdict == Verdict::arrested)
+    return exit_code::collapsed;
   return exit_code::done;
 }
 

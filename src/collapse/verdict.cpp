@@ -34,18 +34,4 @@ Verdict verdict_by_window(const Course& course) {
   return verdict_where(collisions_since_hit(course) > course.window, course);
 }
 
-const char* word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::none:
-      return "none";
-    case Verdict::temporary:
-      return "temporary";
-    case Verdict::open:
-      return "open";
-    case Verdict::arrested:
-      return "true";
-  }
-  return "";
-}
-
 }  // namespace zenosphere

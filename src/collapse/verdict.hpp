@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+
+#include "model/word_table.hpp"
 
 namespace zenosphere {
 
@@ -18,6 +21,13 @@ enum class Verdict {
   open,       ///< it was still being met when the run ended
   arrested,   ///< the arrest criterion was met: a true collapse in the paper's sense
 };
+
+/// Its words in files and on the screen.
+inline constexpr std::array verdict_words{
+    Word{"none", Verdict::none}, Word{"temporary", Verdict::temporary}, Word{"open", Verdict::open},
+    Word{"true", Verdict::arrested}};
+
+inline const char* word(Verdict verdict) { return word_in(verdict_words, verdict); }
 
 /// A run, as far as a verdict depends on it.
 struct Course {
@@ -45,8 +55,5 @@ Verdict verdict(const Course& course);
 /// The verdict by the rule of versions before the clock was asked: left is what has not been hit
 /// for a window of collisions.
 Verdict verdict_by_window(const Course& course);
-
-/// The word for a verdict in files and on the screen: none, temporary, open, true.
-const char* word(Verdict verdict);
 
 }  // namespace zenosphere

@@ -22,7 +22,7 @@ Json json_of(const Trial& trial) {
           {"overlap", word(trial.rule)},
           {"gap_threshold", json_of(trial.gap_threshold)},
           {"collisions", trial.collisions},
-          {"ended_by", trial.ended_by},
+          {"ended_by", word(trial.ended_by)},
           {"time", trial.time},
           {"hits", trial.hits},
           {"first_hit", or_null(trial.first_hit)},
@@ -115,7 +115,7 @@ std::string text_of(const Trial& trial) {
                      word(trial.precision), word(trial.rule), number(trial.first_hit),
                      trial.first_hit_time.value_or("-").substr(0, 20), trial.hits,
                      trial.deepest > 0 ? fmt::format("1e-{:.0f}", trial.deepest) : "-",
-                     trial.absorbed, number(trial.arrest), trial.collisions, trial.ended_by);
+                     trial.absorbed, number(trial.arrest), trial.collisions, word(trial.ended_by));
 }
 
 }  // namespace

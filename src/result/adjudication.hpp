@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "collapse/finding.hpp"
+#include "result/ended_by.hpp"
 
 namespace zenosphere {
 
@@ -17,9 +18,7 @@ struct Trial {
   GapThreshold gap_threshold = 1e-16;  ///< diameters, scaled to the precision
 
   std::int64_t collisions = 0;  ///< of the whole run, at the end of the trial
-  /// "digits" (spent), "apart" (flown), "others" (have spent the digits), "arrest", "overlap", "at
-  /// rest", "collisions", "time", "budget" or "interrupted"
-  std::string ended_by;
+  std::optional<EndedBy> ended_by;
   std::string time;  ///< at the end, in all digits
 
   std::int64_t hits = 0;  ///< of the separation criterion

@@ -64,16 +64,16 @@ Json contact(const Summary::Contact& contact) {
 
 /// What has ended the run, where that is no limit of its case and needs words.
 std::string end_sentence(const Summary& s) {
-  if (s.ended_by == "at rest") return "at rest: no collision will ever come";
-  if (s.ended_by == "clock") return "clock: the next collision is beyond its end";
-  if (s.ended_by == "idle") return "idle: nobody has met for too long; set run.time";
-  return s.ended_by;
+  if (s.ended_by == EndedBy::at_rest) return "at rest: no collision will ever come";
+  if (s.ended_by == EndedBy::clock) return "clock: the next collision is beyond its end";
+  if (s.ended_by == EndedBy::idle) return "idle: nobody has met for too long; set run.time";
+  return word(s.ended_by);
 }
 
 /// What a reader must know before the verdict of a run that was not let go on to its end.
 std::string interruption_text(const Summary& s, const std::string& kept) {
   if (s.self_check) return fmt::format("Ended by a self-check: {}\n\n", *s.self_check);
-  if (s.outcome != "interrupted") return "";
+  if (s.outcome != Outcome::interrupted) return "";
   return fmt::format("Interrupted at collision {}, time {:.6g}{}.\nUp to there: ", s.collisions,
                      s.time,
                      kept.empty() ? ", and not kept (no -o)"
@@ -81,7 +81,7 @@ std::string interruption_text(const Summary& s, const std::string& kept) {
 }
 
 std::string run_lines(const Summary& s) {
-  return line("outcome", fmt::format("{} (ended by: {})", s.outcome, end_sentence(s))) +
+  return line("outcome", fmt::format("{} (ended by: {})", word(s.outcome), end_sentence(s))) +
          line("collisions",
               fmt::format("{} ({:.6g} per sphere)", s.collisions, s.collisions_per_sphere)) +
          line("time", fmt::format("{:.6g} (strain {:.6g})", s.time, s.strain));
@@ -178,8 +178,8 @@ std::string to_json(const Summary& summary, int dimension) {
       {"collisions_per_sphere", summary.collisions_per_sphere},
       {"time", summary.time},
       {"strain", summary.strain},
-      {"outcome", summary.outcome},
-      {"verdict", summary.verdict},
+      {"outcome", word(summary.outcome)},
+      {"verdict", word(summary.verdict)},
       {"separation", separation(summary.separation)},
       {"arrest", arrest(summary.arrest)},
       {"absorbed", summary.absorbed},
@@ -188,7 +188,7 @@ std::string to_json(const Summary& summary, int dimension) {
       {"wall_seconds", summary.wall_seconds},
       {"collisions_per_second", summary.collisions_per_second},
       {"peak_memory_bytes", summary.peak_memory_bytes},
-      {"ended_by", summary.ended_by},
+      {"ended_by", word(summary.ended_by)},
       {"overlap_collisions", summary.overlap_collisions},
       {"overlaps_ignored", summary.overlaps_ignored},
       {"receding", summary.receding},

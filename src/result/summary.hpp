@@ -9,6 +9,7 @@
 #include "collapse/dissection.hpp"
 #include "collapse/verdict.hpp"
 #include "flow/averages.hpp"
+#include "result/ended_by.hpp"
 
 namespace zenosphere {
 
@@ -21,10 +22,9 @@ struct Summary {
   double collisions_per_sphere = 0;
   double time = 0;
   double strain = 0;
-  std::string outcome;   ///< "finished" | "collapsed" | "interrupted"
-  std::string ended_by;  ///< "collisions" | "time" | "arrest" | "overlap" | "signal" | "at rest" |
-                         ///< "self-check"
-  std::string verdict;   ///< "none" | "temporary" | "open" | "true"
+  Outcome outcome = Outcome::unfinished;
+  std::optional<EndedBy> ended_by;  ///< none: it is unfinished
+  Verdict verdict = Verdict::none;
 
   struct Separation {
     std::int64_t hits = 0;

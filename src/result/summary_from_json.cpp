@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "model/errors.hpp"
 #include "result/summary.hpp"
+#include "text/printable.hpp"
 
 namespace zenosphere {
 
@@ -58,10 +57,24 @@ void read(const SortedJson& values, std::vector<double>& row) {
   }
 }
 
-void read_verdict(const SortedJson& json, std::string& verdict) {
-  constexpr std::array<std::string_view, 4> words{"none", "temporary", "open", "true"};
-  read(json, "verdict", verdict);
-  if (std::find(words.begin(), words.end(), verdict) == words.end()) reject("no known verdict");
+/// Reads a word of a table.
+template <class Choice, std::size_t N>
+Choice read_word(const SortedJson& object, const char* key,
+                 const std::array<Word<Choice>, N>& table) {
+  const auto text = object.at(key).get<std::string>();
+  const auto choice = choice_in(table, text);
+  if (choice) return *choice;
+  std::string known;
+  for (const auto& word : table) {
+    known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", word.text);
+  }
+  reject(fmt::format("{} = \"{}\", which is none of {}", key, printable(shortened(text)), known));
+}
+
+std::optional<EndedBy> read_ended_by(const SortedJson& json) {
+  const char* const key = "ended_by";
+  if (json.at(key) == "") return std::nullopt;
+  return read_word(json, key, ended_by_words);
 }
 
 void read_pairs(const SortedJson& json, Summary::Arrest& arrest) {
@@ -121,7 +134,7 @@ std::optional<Averages> averages(const SortedJson& json, int dimension) {
 }
 
 void read_collapse(const SortedJson& json, Summary& summary) {
-  read_verdict(json, summary.verdict);
+  summary.verdict = read_word(json, "verdict", verdict_words);
   const SortedJson& separation = json.at("separation");
   read(separation, "hits", summary.separation.hits);
   read(separation, "first_collision", summary.separation.first_collision);
@@ -190,7 +203,7 @@ Summary summary_of(const SortedJson& json, int dimension) {
   read(json, "collisions_per_sphere", summary.collisions_per_sphere);
   read(json, "time", summary.time);
   read(json, "strain", summary.strain);
-  read(json, "outcome", summary.outcome);
+  summary.outcome = read_word(json, "outcome", outcome_words);
   read_collapse(json, summary);
   read(json, "absorbed", summary.absorbed);
   summary.averages = averages(json.at("averages"), dimension);
@@ -199,7 +212,7 @@ Summary summary_of(const SortedJson& json, int dimension) {
   read(json, "wall_seconds", summary.wall_seconds);
   read(json, "collisions_per_second", summary.collisions_per_second);
   read(json, "peak_memory_bytes", summary.peak_memory_bytes);
-  read(json, "ended_by", summary.ended_by);
+  summary.ended_by = read_ended_by(json);
   read(json, "overlap_collisions", summary.overlap_collisions);
   read(json, "overlaps_ignored", summary.overlaps_ignored);
   read(json, "receding", summary.receding);

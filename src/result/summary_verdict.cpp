@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cassert>
-
 #include "result/summary.hpp"
 
 namespace zenosphere {
@@ -37,7 +35,7 @@ Course course_of(const Summary& summary) {
   return {.collisions = summary.collisions,
           .collisions_per_sphere = summary.collisions_per_sphere,
           .time = summary.time,
-          .is_at_rest = summary.ended_by == "at rest",
+          .is_at_rest = summary.ended_by == EndedBy::at_rest,
           .is_arrested = summary.arrest.met,
           .window = summary.arrest.window,
           .last_hit = summary.separation.last_collision,
@@ -46,16 +44,18 @@ Course course_of(const Summary& summary) {
 }
 
 std::string verdict_sentence(const Summary& summary) {
-  if (summary.verdict == "none") {
-    return "No collapse: no two spheres about to collide ever came as close as the threshold.";
+  switch (summary.verdict) {
+    case Verdict::none:
+      return "No collapse: no two spheres about to collide ever came as close as the threshold.";
+    case Verdict::temporary:
+      return left_sentence(summary);
+    case Verdict::open:
+      return "Undecided: this computation was still meeting the separation criterion when it "
+             "ended,\nand had not met the arrest criterion; a longer run decides.";
+    case Verdict::arrested:
+      return arrest_sentence(summary);
   }
-  if (summary.verdict == "temporary") return left_sentence(summary);
-  if (summary.verdict == "open") {
-    return "Undecided: this computation was still meeting the separation criterion when it ended,\n"
-           "and had not met the arrest criterion; a longer run decides.";
-  }
-  assert(summary.verdict == "true");
-  return arrest_sentence(summary);
+  return "";
 }
 
 }  // namespace zenosphere

@@ -89,8 +89,8 @@ class Adjudicator {
     TrialEnd end = surroundings(share_of_time(share_of_search));
     end.collisions = values_.run.collisions.value_or(end.collisions);
     run.go(end);
-    result_.was_interrupted = run.ended_by() == "interrupted";
-    const bool is_cut_off = run.ended_by() == "budget";
+    result_.was_interrupted = run.ended_by() == EndedBy::interrupted;
+    const bool is_cut_off = run.ended_by() == EndedBy::budget;
     if (is_cut_off) searched_ = run.collisions();
     result_.hits = run.hits();
     auto groups = run.hit_groups();
@@ -126,7 +126,7 @@ class Adjudicator {
         const bool is_known = !trials.empty() && !(trials.back().trial.precision < precision);
         if (is_known || is_over()) continue;
         trials.push_back(followed(before, precision, result_.rule));
-        result_.was_interrupted |= trials.back().trial.ended_by == "interrupted";
+        result_.was_interrupted |= trials.back().trial.ended_by == EndedBy::interrupted;
       }
       if (trials.empty()) return 0;  // the time has run out in between
       judged = judge_group(before.group, trials);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 
 #include "case/case.hpp"
@@ -7,9 +8,21 @@
 
 namespace zenosphere {
 
+/// While it lives, numbers that this thread makes have the precision of a case.
+class CasePrecision {
+ public:
+  explicit CasePrecision(const Case& values) {
+    const Precision precision = values.collision.precision;
+    if (precision.is_digits()) digits_.emplace(precision.bits());
+  }
+
+ private:
+  std::optional<WorkingPrecision> digits_;
+};
+
 /// Calls `action.operator()<Dim, Real>()` for the dimension and the precision of a case: the only
 /// place where they are chosen at run time. What makes numbers later, on this thread or another,
-/// makes them under a WorkingPrecision of its own.
+/// makes them under a CasePrecision of its own.
 template <class Action>
 auto in_arithmetic_of(const Case& values, Action action) {
   const auto with = [&]<class Real>(Real) {

@@ -24,6 +24,8 @@ class CheckpointCadence {
   }
 
   bool is_due_after(std::int64_t collisions) const { return collisions >= next_collisions_; }
+  /// Collisions after which the next one is due, whatever the clock says.
+  std::int64_t next_collisions() const { return next_collisions_; }
   bool is_due_at(double seconds) const { return seconds >= next_seconds_; }
 
   /// Notes a checkpoint.

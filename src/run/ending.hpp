@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "case/case.hpp"
 #include "engine/patience.hpp"
 #include "engine/simulation.hpp"
+#include "result/ended_by.hpp"
 #include "run/random_driving.hpp"
 
 namespace zenosphere {
@@ -19,13 +21,13 @@ double last_moment(const Case& values) {
                   end_of_clock<Real>());
 }
 
-/// Why a run comes to no further collision, whatever its limits: as docs/summary.md names it, or
-/// nullptr where it may.
+/// Why a run comes to no further collision, whatever its limits; nothing where it may.
 template <int Dim, class Real>
-const char* end_of_collisions(const Simulation<Dim, Real>& simulation,
-                              const RandomDriving<Dim, Real>& driving) {
-  if (simulation.stopped_before()) return "overlap";
-  return simulation.is_at_rest() && !driving.is_on() ? "at rest" : nullptr;
+std::optional<EndedBy> end_of_collisions(const Simulation<Dim, Real>& simulation,
+                                         const RandomDriving<Dim, Real>& driving) {
+  if (simulation.stopped_before()) return EndedBy::overlap;
+  if (simulation.is_at_rest() && !driving.is_on()) return EndedBy::at_rest;
+  return std::nullopt;
 }
 
 /// Whether no spheres have met for too long: for too many events, or kicks of a sphere.
@@ -42,16 +44,17 @@ bool is_given_up(const Simulation<Dim, Real>& simulation, const Case& values) {
 }
 
 /// Why a run is over by its time or that of its clock, or because no spheres meet for too long, or
-/// until no digit of the places is left; nullptr where it is not.
+/// until no digit of the places is left; nothing where it is not.
 template <int Dim, class Real>
-const char* end_of_time(const Simulation<Dim, Real>& simulation, const Case& values) {
+std::optional<EndedBy> end_of_time(const Simulation<Dim, Real>& simulation, const Case& values) {
   const auto& time = values.run.time;
-  if (time && simulation.has_reached(*time)) return "time";
-  if (simulation.has_reached(end_of_clock<Real>())) return "clock";
+  if (time && simulation.has_reached(*time)) return EndedBy::time;
+  if (simulation.has_reached(end_of_clock<Real>())) return EndedBy::clock;
   const bool may_be_idle = simulation.is_idle() || values.drive.kind == DriveKind::random;
-  if (time || !may_be_idle) return nullptr;
+  if (time || !may_be_idle) return std::nullopt;
   const bool has_lost = simulation.is_idle() && simulation.has_lost_places();
-  return has_lost || is_given_up(simulation, values) ? "idle" : nullptr;
+  if (has_lost || is_given_up(simulation, values)) return EndedBy::idle;
+  return std::nullopt;
 }
 
 }  // namespace zenosphere

@@ -217,13 +217,14 @@ bool holds(const std::vector<JudgedApproach>& judged, Finding finding) {
 
 /// The trial ended before its digits were spent or its spheres had flown apart.
 bool was_cut_off(const FollowedGroup& top) {
-  const std::string& end = top.trial.ended_by;
-  return end == "budget" || end == "collisions" || end == "interrupted" || end == "others";
+  const auto end = top.trial.ended_by;
+  return end == EndedBy::budget || end == EndedBy::collisions || end == EndedBy::interrupted ||
+         end == EndedBy::others;
 }
 
 JudgedApproach cut_off(const HitGroup& group, const FollowedGroup& top) {
   const Trial& trial = top.trial;
-  const bool is_by_others = trial.ended_by == "others";
+  const bool is_by_others = trial.ended_by == EndedBy::others;
   return {
       .sentence = fmt::format(
           "the trial in {} ended at collision {}, time {}, before its spheres had flown apart{}",
@@ -242,7 +243,7 @@ JudgedApproach cut_off(const HitGroup& group, const FollowedGroup& top) {
 
 /// The clock stands still in the run's precision, and in the highest it does not.
 bool is_arithmetic_arrest(const HitGroup& group, const std::vector<FollowedGroup>& ladder) {
-  return ladder.size() > 1 && group.arrest && ladder.back().trial.ended_by == "apart";
+  return ladder.size() > 1 && group.arrest && ladder.back().trial.ended_by == EndedBy::apart;
 }
 
 }  // namespace

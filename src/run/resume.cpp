@@ -74,15 +74,15 @@ std::optional<std::string> reason_to_stay(const Case& values, const Summary& rea
   }
   if (limits.time && *limits.time <= reached.time) return time_is_up(*limits.time, reached.time);
   if (reached.arrest.met && values.collapse.stop_when_collapsed) return has_collapsed(reached);
-  if (reached.ended_by == "overlap") {
+  if (reached.ended_by == EndedBy::overlap) {
     return "ended before an overlap, as collision.overlap = \"stop\" asks; there is nothing to "
            "resume";
   }
-  if (reached.ended_by == "clock") {
+  if (reached.ended_by == EndedBy::clock) {
     return fmt::format("has come to the end of its clock, at time {}; there is nothing to resume",
                        reached.time);
   }
-  if (reached.ended_by != "at rest") return std::nullopt;
+  if (reached.ended_by != EndedBy::at_rest) return std::nullopt;
   return fmt::format("is at rest since time {}; there is nothing to resume", reached.time);
 }
 

@@ -47,7 +47,7 @@ void TrialRun<Dim, Real>::go(const TrialEnd& end) {
       observe(*collision, end);
     } else if (simulation_.is_waiting()) {
       if (next_pause() >= end_of_clock<Real>()) {
-        ended_by_ = "clock";
+        ended_by_ = EndedBy::clock;
         break;
       }
       simulation_.wait_until(next_pause());
@@ -161,40 +161,41 @@ double TrialRun<Dim, Real>::margin_of_curvature(const Collision<Dim, Real>& coll
 template <int Dim, class Real>
 bool TrialRun<Dim, Real>::is_over(const TrialEnd& end) {
   ended_by_ = what_ends(end);
-  return !ended_by_.empty();
+  return ended_by_.has_value();
 }
 
 template <int Dim, class Real>
-std::string TrialRun<Dim, Real>::what_ends(const TrialEnd& end) {
+std::optional<EndedBy> TrialRun<Dim, Real>::what_ends(const TrialEnd& end) {
   const auto now = std::chrono::steady_clock::now();
   if (end.on_look && now >= next_look_) {
     constexpr std::chrono::milliseconds between_looks(20);  // prompt for people
     end.on_look();
     next_look_ = now + between_looks;
   }
-  if (end.interrupt && *end.interrupt) return "interrupted";
-  if (arrest_.is_met()) return "arrest";
-  if (const char* over = end_of_collisions(simulation_, driving_)) return over;
-  if (simulation_.collisions() >= end.collisions) return "collisions";
-  if (const char* late = end_of_time(simulation_, values_)) return late;
-  if (now > end.deadline) return "budget";
-  return end.followed ? what_ends(*end.followed) : "";
+  if (end.interrupt && *end.interrupt) return EndedBy::interrupted;
+  if (arrest_.is_met()) return EndedBy::arrest;
+  if (const auto over = end_of_collisions(simulation_, driving_)) return over;
+  if (simulation_.collisions() >= end.collisions) return EndedBy::collisions;
+  if (const auto late = end_of_time(simulation_, values_)) return late;
+  if (now > end.deadline) return EndedBy::budget;
+  return end.followed ? what_ends(*end.followed) : std::nullopt;
 }
 
 /// Whether the digits of a followed group are spent, or its spheres have long flown apart: a
 /// thousand collisions without a small gap, and a tenth of the time between two collisions of a
 /// sphere behind the last hit of the run.
 template <int Dim, class Real>
-std::string TrialRun<Dim, Real>::what_ends(const HitGroup& followed) const {
+std::optional<EndedBy> TrialRun<Dim, Real>::what_ends(const HitGroup& followed) const {
   constexpr std::int64_t enough_at_limit = 32;
   constexpr std::int64_t many_at_limit = 1000;  // more than contacts by chance or symmetry
   constexpr std::int64_t quiet_collisions = 1000;
-  if (rows_at_limit_ >= enough_at_limit) return "digits";
-  if (others_at_limit_ >= many_at_limit) return "others";
+  if (rows_at_limit_ >= enough_at_limit) return EndedBy::digits;
+  if (others_at_limit_ >= many_at_limit) return EndedBy::others;
   const std::int64_t last = std::max(last_deep_, followed.first_hit);
-  if (simulation_.collisions() <= last + quiet_collisions) return "";
+  if (simulation_.collisions() <= last + quiet_collisions) return std::nullopt;
   const double between = mean_time_between_collisions(followed, spheres());
-  return simulation_.time() > followed.last_time + between / 10 ? "apart" : "";
+  if (simulation_.time() > followed.last_time + between / 10) return EndedBy::apart;
+  return std::nullopt;
 }
 
 template <int Dim, class Real>

@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -54,7 +53,7 @@ class TrialRun {
   std::int64_t collisions() const { return simulation_.collisions(); }
   std::int64_t hits() const { return separation_.hits(); }
   const ArrestCriterion<Dim, Real>& arrest() const { return arrest_; }
-  const std::string& ended_by() const { return ended_by_; }
+  std::optional<EndedBy> ended_by() const { return ended_by_; }
   /// The collision observed last, after one.
   const DepthRow& last_row() const { return last_row_; }
   /// Where the spheres are now.
@@ -80,8 +79,8 @@ class TrialRun {
   Real elastic_impulse(const Collision<Dim, Real>& collision) const;
   double margin_of_curvature(const Collision<Dim, Real>& collision) const;
   bool is_over(const TrialEnd& end);
-  std::string what_ends(const TrialEnd& end);
-  std::string what_ends(const HitGroup& followed) const;
+  std::optional<EndedBy> what_ends(const TrialEnd& end);
+  std::optional<EndedBy> what_ends(const HitGroup& followed) const;
   double next_pause() const;
 
   Case values_;
@@ -94,7 +93,7 @@ class TrialRun {
   std::int64_t absorbed_ = 0;
   double deepest_ = 0;    ///< decades
   double last_time_ = 0;  ///< of the last collision
-  std::string ended_by_;
+  std::optional<EndedBy> ended_by_;
   DepthRow last_row_;
   std::int64_t last_deep_ = 0;  ///< collision of the followed spheres
   std::chrono::steady_clock::time_point next_look_{};

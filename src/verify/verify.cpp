@@ -99,10 +99,10 @@ class Verifier {
     snapshots_.compare(summary, findings);
     const Course course = course_of(summary);
     const bool is_old = file_.info().criteria_version < 2;
-    const char* expected = word(is_old ? verdict_by_window(course) : verdict(course));
+    const Verdict expected = is_old ? verdict_by_window(course) : verdict(course);
     if (summary.verdict != expected) {
-      findings.add(
-          fmt::format("summary: verdict = {} (its counts mean {})", summary.verdict, expected));
+      findings.add(fmt::format("summary: verdict = {} (its counts mean {})", word(summary.verdict),
+                               word(expected)));
     }
     if (!file_.info().log_complete) return;
     log_.compare(summary, findings);

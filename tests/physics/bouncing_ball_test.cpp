@@ -65,8 +65,8 @@ TEST_P(BouncingBall, IsArrestedWhenTheSeriesOfItsBouncesEnds) {
   const auto& [speed, gravity, restitution] = GetParam();
   const Summary run = test::run_text(thrown(1, speed, gravity, restitution));
   const double end = 2 * speed / gravity / (1 - restitution);
-  EXPECT_EQ(run.verdict, "true");
-  EXPECT_EQ(run.ended_by, "arrest");
+  EXPECT_EQ(run.verdict, Verdict::arrested);
+  EXPECT_EQ(run.ended_by, EndedBy::arrest);
   ASSERT_TRUE(run.arrest.met);
   EXPECT_NEAR(*run.arrest.time, end, 1e-12 * end);
   ASSERT_TRUE(run.arrest.extrapolated_time);
@@ -105,7 +105,7 @@ TEST(BouncingBallUnderEveryRule, EndsNearTheEndOfTheSeries) {
   // agree.
   for (const std::string rule : {"rewind", "immediate", "guarded", "stop"}) {
     const Summary run = test::run_text(thrown(1, 1, 1, 0.5), {"collision.overlap=" + rule});
-    EXPECT_EQ(run.verdict, "true") << rule;
+    EXPECT_EQ(run.verdict, Verdict::arrested) << rule;
     ASSERT_TRUE(run.arrest.time) << rule;
     EXPECT_NEAR(*run.arrest.time, 4, 4e-12) << rule;
     EXPECT_EQ(run.overlap_collisions, 0) << rule;
@@ -117,7 +117,7 @@ TEST(BouncingBallOfWax, IsArrestedAtItsFirstContact) {
   // Restitution 0: the ball has no speed after the first contact, at time 2.
   for (const std::string rule : {"rewind", "immediate"}) {
     const Summary run = test::run_text(thrown(1, 0, 1, 0, 2), {"collision.overlap=" + rule});
-    EXPECT_EQ(run.ended_by, "arrest") << rule;
+    EXPECT_EQ(run.ended_by, EndedBy::arrest) << rule;
     EXPECT_NEAR(run.time, 2, 1e-15) << rule;
   }
 }
@@ -139,7 +139,7 @@ TEST(BouncingBallOfTheTcModel, NeverMeetsTheSeparationCriterion) {
   // and above e^2 of that.
   const Summary run = test::run_text(thrown(1, 1, 1, 0.75),
                                      {"collision.contact_duration=1e-3", "run.collisions=20000"});
-  EXPECT_EQ(run.verdict, "none");
+  EXPECT_EQ(run.verdict, Verdict::none);
   EXPECT_EQ(run.collisions, 20000);
 }
 
@@ -156,7 +156,7 @@ TEST(ABallThatHasSettled, StandsBesideAnotherOneThatStillFalls) {
   const Summary run = test::run_text(thrown(2, 0, 1, 0.5, 0.5),
                                      {"system.spheres=2", "start.positions=[[2, 1], [7, 8.5]]",
                                       "start.velocities=[[0, 0], [0, 0]]"});
-  EXPECT_EQ(run.verdict, "true");
+  EXPECT_EQ(run.verdict, Verdict::arrested);
   EXPECT_NEAR(run.time, 3, 1e-12);
   EXPECT_EQ(run.arrest.others_moving, 1);
 }
@@ -212,7 +212,7 @@ collisions = 1000000
 TEST(BouncingColumn, OfInelasticRodsIsArrestedOnTheFloor) {
   for (const std::string rule : {"rewind", "immediate", "guarded"}) {
     const Summary run = test::run_text(kColumn, {"collision.overlap=" + rule});
-    EXPECT_EQ(run.verdict, "true") << rule;
+    EXPECT_EQ(run.verdict, Verdict::arrested) << rule;
     EXPECT_LT(run.ledger_error, 1e-10) << rule;
   }
 }

@@ -82,7 +82,8 @@ TEST(ContactDurationModel, EndsTheCollapseOfThreeRodsInEveryPrecision) {
 // A ball on a floor loses nothing in a flight shorter than t_c and bounces on at the speed G t_c/2
 // or more, where it would come to rest.
 TEST(ContactDurationModel, KeepsABallBouncingOnAFloor) {
-  EXPECT_EQ(test::run_text(test::ball_on_a_floor_case).verdict, "true");  // at the time 3
+  EXPECT_EQ(test::run_text(test::ball_on_a_floor_case).verdict,
+            Verdict::arrested);  // at the time 3
   const Summary run =
       test::run_text(test::ball_on_a_floor_case, {"collision.contact_duration=1e-3"});
   EXPECT_FALSE(run.arrest.met);
@@ -135,7 +136,7 @@ TEST(FixedLossLaw, EndsTheCollapseOfThreeRodsInEveryPrecision) {
       const Summary run =
           three_rods({"collision.restitution_law=fixed-loss", "collision.energy_loss=" + loss,
                       "collision.precision=" + precision});
-      EXPECT_EQ(run.verdict, "none") << precision << ' ' << loss;
+      EXPECT_EQ(run.verdict, Verdict::none) << precision << ' ' << loss;
       EXPECT_EQ(run.time, 30) << precision << ' ' << loss;
       EXPECT_LT(run.collisions, 10) << precision << ' ' << loss;
     }

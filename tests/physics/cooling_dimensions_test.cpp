@@ -69,7 +69,7 @@ TEST(CoolingRods, LoseEnergyAtFirstAsHaffSays) {
   const double lost = cooled_by(run, 1, phi);
   const double expected = 1 - std::pow(1.1, -2);
   EXPECT_NEAR(lost, expected, 0.04 * expected);
-  EXPECT_EQ(run.verdict, "none");
+  EXPECT_EQ(run.verdict, Verdict::none);
 }
 
 }  // namespace

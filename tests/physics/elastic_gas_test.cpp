@@ -53,7 +53,7 @@ TEST(ElasticGas, EnergyIsConservedAndTheLedgerIsClosed) {
   const Summary run = test::run_text(kElasticGas, {"run.collisions=100000"});
   EXPECT_NEAR(run.averages->granular_temperature, 1, 1e-12);  // rounding of 1e5 collisions
   EXPECT_LT(run.ledger_error, 1e-12);
-  EXPECT_EQ(run.verdict, "none");
+  EXPECT_EQ(run.verdict, Verdict::none);
 }
 
 TEST(ElasticGas, ImposedShearKeepsTheLedgerToo) {

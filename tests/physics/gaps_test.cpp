@@ -25,7 +25,7 @@ shear_rate = 1
 collisions = 20000
 )");
   EXPECT_EQ(run.separation.hits, 0);
-  EXPECT_EQ(run.verdict, "none");
+  EXPECT_EQ(run.verdict, Verdict::none);
 }
 
 // Three elastic disks meet in one point and fly apart.
@@ -50,7 +50,7 @@ time = 20
   const Summary run = test::run_text(triple);
   EXPECT_GT(run.separation.hits, 0);
   EXPECT_EQ(run.collisions, 3);
-  EXPECT_EQ(run.verdict, "temporary");  // though three collisions are less than a window
+  EXPECT_EQ(run.verdict, Verdict::temporary);  // though three collisions are less than a window
 }
 
 }  // namespace

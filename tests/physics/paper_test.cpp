@@ -23,7 +23,7 @@ class Paper : public testing::TestWithParam<int> {
 TEST_P(Paper, SeparationCriterionIsMetAndLeftAgainAtRestitution06) {
   const Summary run =
       run_example("shear-e06.toml", {seed(), "run.collisions=700000", "measure.after_time=20"});
-  EXPECT_EQ(run.verdict, "temporary");
+  EXPECT_EQ(run.verdict, Verdict::temporary);
   EXPECT_LT(*run.separation.first_collision, 10 * 4000 / 2);
   EXPECT_LT(*run.separation.last_collision, 600000);
   EXPECT_FALSE(run.arrest.met);
@@ -43,14 +43,14 @@ TEST_P(Paper, ArrestCriterionIsNotMetAtRestitution06WhateverTheWindowAndTheThres
 TEST_P(Paper, ArrestCriterionIsMetAtRestitution02WhateverTheWindowAndTheThreshold) {
   const Summary run = run_example("shear-e02.toml",
                                   {seed(), "collapse.window=100", "collapse.gap_threshold=1e-12"});
-  EXPECT_EQ(run.verdict, "true");
+  EXPECT_EQ(run.verdict, Verdict::arrested);
 }
 
 // Figures 4 to 6: the gap falls to the limit, time stops, a few pairs repeat.
 TEST_P(Paper, ArrestCriterionIsMetAtRestitution02) {
   const Summary run = run_example("shear-e02.toml", {seed()});
-  EXPECT_EQ(run.verdict, "true");
-  EXPECT_EQ(run.outcome, "collapsed");
+  EXPECT_EQ(run.verdict, Verdict::arrested);
+  EXPECT_EQ(run.outcome, Outcome::collapsed);
   EXPECT_LT(*run.arrest.collision, 2000000);
   EXPECT_GE(run.arrest.pairs.size(), 1U);
   EXPECT_LE(run.arrest.pairs.size(), 20U);

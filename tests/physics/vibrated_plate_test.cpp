@@ -207,7 +207,7 @@ TEST(VibratedColumn, ClosesItsLedgerInEveryDimensionAndShape) {
     for (const std::string shape : {"sinusoidal", "parabolic"}) {
       const Summary run = test::run_text(column(dimension, "motion = \"" + shape + '"'));
       EXPECT_LT(run.ledger_error, 1e-11) << dimension << shape;
-      EXPECT_EQ(run.verdict, "none") << dimension << shape;
+      EXPECT_EQ(run.verdict, Verdict::none) << dimension << shape;
       ASSERT_TRUE(run.averages);
       ASSERT_EQ(run.averages->wall_work.size(), 2U);
       EXPECT_GT(run.averages->wall_work[0], 0) << dimension << shape;
@@ -246,18 +246,18 @@ time = 100
 // Peak acceleration 0.5 (0.2 pi)^2 = 0.197: once its bounces have ended it stays on the plate.
 TEST(ABallThatHasSettledOnThePlate, IsNoArrestAndMeetsNoSeparation) {
   const Summary run = test::run_text(kSettling);
-  EXPECT_EQ(run.verdict, "none");
+  EXPECT_EQ(run.verdict, Verdict::none);
   EXPECT_EQ(run.separation.hits, 0);
   EXPECT_FALSE(run.arrest.met);
-  EXPECT_EQ(run.ended_by, "time");
+  EXPECT_EQ(run.ended_by, EndedBy::time);
   EXPECT_GT(run.collisions, 50000);  // 1e-4 of a period each
   EXPECT_LT(run.ledger_error, 1e-10);
 }
 
 TEST(ABallThatMayNotRest, IsArrestedWhereItsBouncesEnd) {
   const Summary run = test::run_text(kSettling, {"walls.resting_flight=0"});
-  EXPECT_EQ(run.verdict, "true");
-  EXPECT_EQ(run.ended_by, "arrest");
+  EXPECT_EQ(run.verdict, Verdict::arrested);
+  EXPECT_EQ(run.ended_by, EndedBy::arrest);
   ASSERT_EQ(run.arrest.pairs.size(), 1U);
   EXPECT_EQ(run.arrest.pairs[0], (std::pair<std::int64_t, std::int64_t>(0, 1)));
   EXPECT_LT(run.time, 10);

@@ -116,7 +116,7 @@ TEST_F(CampaignTest, ShowsTheCaseThatRepeatsARun) {
       return database.value("SELECT " + column + " FROM run WHERE run = " + std::to_string(number));
     };
     EXPECT_EQ(stored("collisions"), Cell(summary.collisions));
-    EXPECT_EQ(stored("verdict"), Cell(summary.verdict));
+    EXPECT_EQ(stored("verdict"), Cell(word(summary.verdict)));
     EXPECT_EQ(stored("time"), Cell(summary.time));
     EXPECT_EQ(stored("granular_temperature"), Cell(summary.averages->granular_temperature));
     EXPECT_EQ(stored("separation_hits"), Cell(summary.separation.hits));

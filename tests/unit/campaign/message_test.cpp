@@ -16,9 +16,9 @@ std::vector<Cell> cells(const Summary& summary) {
 
 TEST(Message, BringsEveryBitOfASummaryThatTheStoreKeeps) {
   Summary summary;
-  summary.outcome = "collapsed";
-  summary.ended_by = "arrest";
-  summary.verdict = "true";
+  summary.outcome = Outcome::collapsed;
+  summary.ended_by = EndedBy::arrest;
+  summary.verdict = Verdict::arrested;
   summary.collisions = 1234567890123;
   summary.collisions_per_sphere = 1.0 / 3;
   summary.time = 0x1.fffffffffffffp-1;
@@ -75,9 +75,9 @@ TEST(Message, BringsFindingsWithARunAndWithoutOne) {
   const AdjudicationResult sent{
       {std::string("singular"), Cell(), std::int64_t{1} << 53, 1.0 / 3, 2.0}, {}};
   Summary summary;
-  summary.outcome = "finished";
-  summary.ended_by = "collisions";
-  summary.verdict = "none";
+  summary.outcome = Outcome::finished;
+  summary.ended_by = EndedBy::collisions;
+  summary.verdict = Verdict::none;
   const RunResult whole = result_from_message(to_message({4, summary, sent}, 2));
   EXPECT_TRUE(std::holds_alternative<Summary>(whole.outcome));
   ASSERT_TRUE(whole.adjudication);

@@ -79,8 +79,8 @@ class SweepStoreTest : public testing::Test {
 
 inline Summary some_summary() {
   Summary summary;
-  summary.outcome = "finished";
-  summary.verdict = "none";
+  summary.outcome = Outcome::finished;
+  summary.verdict = Verdict::none;
   summary.collisions = 320;
   return summary;
 }

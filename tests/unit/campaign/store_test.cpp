@@ -163,7 +163,7 @@ TEST_F(SweepStoreTest, HandsOutRunsWithHitsToBeAdjudicatedLater) {
     opened.record({0, some_summary()});
     opened.record({1, with_hits()});
     Summary cut_off = with_hits();
-    cut_off.ended_by = "wall time";
+    cut_off.ended_by = EndedBy::wall_time;
     opened.record({2, cut_off});
     opened.commit();
     EXPECT_EQ(opened.counts().to_adjudicate, 0);

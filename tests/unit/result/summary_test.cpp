@@ -17,9 +17,9 @@ Summary collapsed_summary() {
   Summary summary;
   summary.collisions = 90;
   summary.collisions_per_sphere = 45;
-  summary.outcome = "collapsed";
-  summary.ended_by = "arrest";
-  summary.verdict = "true";
+  summary.outcome = Outcome::collapsed;
+  summary.ended_by = EndedBy::arrest;
+  summary.verdict = Verdict::arrested;
   summary.separation = {12, 70, 0.25, 90, 0.5, 0.125};
   summary.arrest = {true, 88, 0.5, 10, {{0, 3}, {1, 3}}, {}, {}, 1};
   return summary;
@@ -186,7 +186,7 @@ TEST(Summary, TextGivesAnAverageWithItsError) {
 
 TEST(Summary, TextGivesAveragesThatFewCollisionsSupportInFewDigits) {
   Summary summary;
-  summary.verdict = "none";
+  summary.verdict = Verdict::none;
   summary.averages = planar_averages();
   summary.averages->granular_temperature = 0.123456789;
   const auto told_after = [&](std::int64_t collisions) {
@@ -247,14 +247,51 @@ TEST(Summary, IsReadFromAFileThatHasNoAnatomyOrContactModels) {
   EXPECT_FALSE(summary_from_json(json.dump(), 2).anatomy.hit);
 }
 
+/// What is said of a summary whose member `key` is `word`.
+std::string refusal(const char* key, const char* word) {
+  auto json = Json::parse(to_json(collapsed_summary(), 2));
+  json[key] = word;
+  try {
+    summary_from_json(json.dump(), 2);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Summary, WordThatIsInNoTableIsRefusedWithThoseThatAre) {
+  EXPECT_EQ(refusal("verdict", "maybe"),
+            "/zenosphere/summary: verdict = \"maybe\", which is none of \"none\", \"temporary\", "
+            "\"open\", \"true\" (the file is damaged); run the case again");
+  EXPECT_NE(refusal("outcome", "lost").find("outcome = \"lost\", which is none of"),
+            std::string::npos);
+  EXPECT_NE(refusal("ended_by", "lunch").find("ended_by = \"lunch\", which is none of"),
+            std::string::npos);
+  EXPECT_EQ(refusal("ended_by", "at rest"), "");
+}
+
+TEST(Summary, ReadsBackEveryWordAndARunThatHasNotEnded) {
+  Summary summary = collapsed_summary();
+  for (const auto& word : ended_by_words) {
+    summary.ended_by = word.choice;
+    summary.outcome = outcome_of(summary.ended_by);
+    const Summary read = summary_from_json(to_json(summary, 2), 2);
+    EXPECT_EQ(read.ended_by, word.choice) << word.text;
+    EXPECT_EQ(read.outcome, summary.outcome) << word.text;
+  }
+  summary.ended_by.reset();
+  EXPECT_EQ(Json::parse(to_json(summary, 2))["ended_by"], "");
+  EXPECT_FALSE(summary_from_json(to_json(summary, 2), 2).ended_by);
+}
+
 TEST(Summary, TextBeginsWithTheVerdictInPlainWords) {
   auto summary = collapsed_summary();
   EXPECT_EQ(to_text(summary, 2).find("Collapse: "), 0u);
-  summary.verdict = "open";
+  summary.verdict = Verdict::open;
   EXPECT_EQ(to_text(summary, 2).find("Undecided: "), 0u);
-  summary.verdict = "temporary";
+  summary.verdict = Verdict::temporary;
   EXPECT_EQ(to_text(summary, 2).find("No arrest: "), 0u);
-  summary.verdict = "none";
+  summary.verdict = Verdict::none;
   EXPECT_EQ(to_text(summary, 2).find("No collapse: "), 0u);
 }
 

@@ -20,8 +20,7 @@ std::string end_at(double time, const std::string& limit) {
       "test.toml", {});
   auto simulation = new_simulation<1, double>(values);
   simulation.wait_until(time);
-  const char* end = end_of_time(simulation, values);
-  return end ? end : "";
+  return word(end_of_time(simulation, values));
 }
 
 TEST(Ending, KickedSpheresThatMeetNobodyAreIdleOneDay) {

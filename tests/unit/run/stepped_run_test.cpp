@@ -51,7 +51,7 @@ TEST(SteppedRun, PieceEndsAtItsTimeWithTheClockThereAndNoCollisionAfterIt) {
   EXPECT_EQ(run->time(), 0.5);
   EXPECT_EQ(run->state().snapshot.time, 0.5);
   EXPECT_EQ(run->summary().time, 0.5);
-  EXPECT_EQ(run->summary().outcome, "unfinished");
+  EXPECT_EQ(run->summary().outcome, Outcome::unfinished);
   const std::int64_t before = run->collisions();
   run->advance({.collisions = 2}, &rows);
   for (const CollisionRow& row : rows) EXPECT_EQ(row.time > 0.5, row.k > before);
@@ -88,7 +88,7 @@ TEST(SteppedRun, RunThatIsFinishedEarlyIsInterruptedWhereItsLastPieceEnded) {
   const auto run = start_run(small_case(), {});
   run->advance({.time = 0.5}, nullptr);
   const Summary summary = run->finish();
-  EXPECT_EQ(summary.outcome, "interrupted");
+  EXPECT_EQ(summary.outcome, Outcome::interrupted);
   EXPECT_EQ(summary.time, 0.5);
 }
 

@@ -50,7 +50,7 @@ inline void write_run(OutputFile& output, std::int64_t rows) {
 inline Summary summary_of(std::int64_t collisions) {
   Summary summary;
   summary.collisions = collisions;
-  summary.verdict = "none";
+  summary.verdict = Verdict::none;
   return summary;
 }
 
