@@ -63,6 +63,8 @@ SYSTEMS = {
     "rough": case(),
     "smooth": case(collision=""),
     "perfectly rough": case(collision='tangential_restitution = 1\nfriction = "unbounded"'),
+    "shells": case(collision=ROUGH + "\nreduced_moment_of_inertia = 0.6666666666666667"),
+    "rings": case(dimension=2, collision=ROUGH + "\nreduced_moment_of_inertia = 1"),
     "disks": case(dimension=2),
     "rods": case(dimension=1, collision="", drive='kind = "none"', collisions=400),
     "kicked": case(drive=KICKS),
