@@ -184,3 +184,16 @@ def test_collapse_of_rods_of_two_kinds_is_proven(program, restitution, finding):
     result = json.loads(done.stdout.splitlines()[-1])
     assert result["finding"] == finding
     assert "in exact fractions" in result["sentence"]
+
+
+def test_collapse_of_disks_of_two_kinds_is_enclosed(program):
+    """The same three, bent, as disks in the plane: singular, and followed with balls."""
+    disks = RODS.replace("dimension = 1", "dimension = 2").replace("sides = [100]", "sides = [60, 60]")
+    disks = disks.replace("[10, 12.02, 10.9]", "[[10, 10], [12.02, 10.003], [10.9, 10]]")
+    disks = disks.replace("[1, -0.2, 0]", "[[1, 0], [-0.2, 0], [0, 0]]")
+    program.case.write_text(disks)
+    done = program("adjudicate", "case.toml", "--json", "--set", "system.restitution=0.15")
+    result = json.loads(done.stdout.splitlines()[-1])
+    assert result["finding"] == "singular"
+    assert result["approaches"][0]["enclosed_to"] >= 50
+    assert "ball arithmetic" in result["sentence"]
