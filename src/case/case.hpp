@@ -118,8 +118,9 @@ struct Case {
     double threshold_speed = 0;        ///< diameters/time
     double contact_duration = 0;       ///< of the TC model, time; 0: not used
     double rotation_angle = 0;         ///< largest, radians; 0: not used
-    std::optional<double> tangential_restitution;  ///< beta0; none: smooth spheres
-    std::optional<Friction> friction;              ///< mu, together with it
+    std::optional<double> tangential_restitution;       ///< beta0; none: smooth spheres
+    std::optional<Friction> friction;                   ///< mu, together with it
+    std::optional<double> reduced_moment_of_inertia{};  ///< q = 4 I/(m s^2); none: solid spheres
   } collision;
   struct Collapse {
     GapThreshold gap_threshold = 1e-16;  ///< diameters

@@ -31,6 +31,22 @@ Objection tangential_restitution_alone(const Case& values) {
   return "(needs collision.friction too, maybe \"unbounded\"); add it, or remove this";
 }
 
+/// A sphere cannot have more of its mass at the surface than a shell, q = 2/3 (as people round it).
+Objection inertia_of_no_sphere(const Case& values) {
+  const auto& inertia = values.collision.reduced_moment_of_inertia;
+  if (!inertia) return std::nullopt;
+  constexpr double of_a_shell = 0.667;
+  if (values.system.dimension == 3 && *inertia > of_a_shell) {
+    return "(must be in (0, 2/3] in three dimensions: 0.4 is a solid sphere, 2/3 a shell)";
+  }
+  const auto rubs = [](const SpeciesContact& contact) { return contact.friction.has_value(); };
+  const auto& contacts = values.contacts;
+  if (values.collision.friction || std::any_of(contacts.begin(), contacts.end(), rubs)) {
+    return std::nullopt;
+  }
+  return "(without friction nothing turns); remove it, or add collision.friction";
+}
+
 Objection law_of_equal_spheres(const Case& values) {
   if (values.collision.restitution_law == RestitutionLaw::constant) return std::nullopt;
   if (!are_different(values) && !is_rough(values)) return std::nullopt;
@@ -83,6 +99,8 @@ std::span<const Rule> grain_rules() {
       {{"polydispersity.spread", "polydispersity.distribution"}, spread_objection},
       {{"collision.friction", "collision.tangential_restitution"}, friction_alone},
       {{"collision.tangential_restitution", "collision.friction"}, tangential_restitution_alone},
+      {{"collision.reduced_moment_of_inertia", "collision.friction", "system.dimension"},
+       inertia_of_no_sphere},
       {{"collision.restitution_law", "collision.friction", "polydispersity.spread"},
        law_of_equal_spheres},
       {{"collision.rotation_angle", "collision.friction"}, rotation_of_rough_spheres},

@@ -8,6 +8,7 @@
 #include "model/instantiate.hpp"
 #include "model/power.hpp"
 #include "model/random.hpp"
+#include "model/spin.hpp"
 
 namespace zenosphere {
 
@@ -133,6 +134,11 @@ std::optional<ContactTable<Real>> contact_table_of(const Case& values) {
 bool is_rough(const Case& values) {
   const auto table = contact_table_of<double>(values);
   return table && table->is_rough();
+}
+
+double reduced_moment_of_inertia(const Case& values) {
+  const double solid = values.system.dimension == 3 ? solid_inertia<3> : solid_inertia<2>;
+  return values.collision.reduced_moment_of_inertia.value_or(solid);
 }
 
 bool are_unit_spheres(const Case& values) {

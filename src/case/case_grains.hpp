@@ -22,6 +22,9 @@ std::optional<ContactTable<Real>> contact_table_of(const Case& values);
 /// Whether spheres turn: some pair sticks or slides.
 bool is_rough(const Case& values);
 
+/// q = 4 I / (m s^2) of rough spheres: that of the case, or of solid spheres and disks.
+double reduced_moment_of_inertia(const Case& values);
+
 /// Whether all are smooth unit spheres of one kind that collide at one restitution law.
 bool are_unit_spheres(const Case& values);
 

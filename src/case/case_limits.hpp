@@ -14,7 +14,7 @@ inline constexpr std::size_t longest_line = 10'000;
 /// what it has read by recursion, so that some hundred thousand levels would exhaust the stack.
 inline constexpr int most_key_parts = 16;
 inline constexpr int deepest_nesting = 16;
-/// Most keys and tables of a case file, and most overrides; all keys there are make 59.
+/// Most keys and tables of a case file, and most overrides; all keys there are make 60.
 inline constexpr std::size_t most_keys = 1000;
 
 /// Something larger than a case may have it.

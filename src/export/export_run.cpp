@@ -123,6 +123,7 @@ class Exporter {
     Frame frame{.number = n, .dimension = values_.system.dimension, .snapshot = run_.snapshot(n)};
     frame.grains = &grains_;
     frame.species = species_;
+    frame.reduced_inertia = reduced_moment_of_inertia(values_);
     require_numbers(frame.snapshot, frame.dimension, request_.run);
     frame.cell = cell_of(frame.snapshot, frame.dimension, closed_axis(values_), request_.run);
     if (exported_.collisions_are_counted) frame.collisions = counts_->up_to(frame.snapshot.step);

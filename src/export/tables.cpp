@@ -9,8 +9,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "model/spin.hpp"
-
 namespace zenosphere {
 namespace {
 
@@ -23,11 +21,11 @@ struct Sums {
   double mobile = 0;                ///< spheres that count
 };
 
-/// I w^2 of a solid sphere or disk.
+/// I w^2.
 double turning_energy(const Frame& frame, std::int64_t i) {
   const auto [x, y, z] = frame.spin(i);
-  const double inertia = frame.dimension == 3 ? solid_inertia<3> : solid_inertia<2>;
-  return inertia * frame.mass(i) * frame.radius(i) * frame.radius(i) * (x * x + y * y + z * z);
+  return frame.reduced_inertia * frame.mass(i) * frame.radius(i) * frame.radius(i) *
+         (x * x + y * y + z * z);
 }
 
 Sums sums_of(const Frame& frame, double shear_rate) {

@@ -11,11 +11,19 @@
 namespace zenosphere {
 namespace {
 
-/// Cells a little wider than a sphere, so that only neighbouring ones hold spheres that overlap.
+/// Diameters of one order of magnitude, (low, high].
+struct SizeClass {
+  double low;
+  double high;
+};
+
+/// The spheres of a class and all smaller ones, in cells a little wider than the largest of them,
+/// so that only neighbouring cells hold spheres that overlap.
 class SortedSpheres {
  public:
-  explicit SortedSpheres(const PlacedSpheres& spheres) : spheres_(spheres) {
-    const double least_width = 1.001 * largest();
+  SortedSpheres(const PlacedSpheres& spheres, const SizeClass& sizes)
+      : spheres_(spheres), sizes_(sizes) {
+    const double least_width = 1.001 * sizes.high;
     constexpr double most_cells = 1 << 20;  // a side, so that the number of a cell fits in 64 bits
     for (std::size_t axis = 0; axis < dimension(); ++axis) {
       const double fitting = std::floor(spheres.sides[axis] / least_width);
@@ -23,14 +31,17 @@ class SortedSpheres {
     }
     const std::size_t count = spheres.positions.size() / dimension();
     sorted_.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) sorted_.emplace_back(cell_of(place_of(i)), i);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (diameter(i) <= sizes.high) sorted_.emplace_back(cell_of(place_of(i)), i);
+    }
     std::sort(sorted_.begin(), sorted_.end());
   }
 
-  Overlap deepest() const {
-    Overlap deepest;
-    for (const auto& [cell, i] : sorted_) search_around(i, deepest);
-    return deepest;
+  /// Of the spheres of the class with each other and with smaller ones.
+  void search(Overlap& deepest) const {
+    for (const auto& [cell, i] : sorted_) {
+      if (is_of_class(i)) search_around(i, deepest);
+    }
   }
 
  private:
@@ -40,10 +51,7 @@ class SortedSpheres {
   double diameter(std::size_t i) const {
     return spheres_.diameters.empty() ? 1.0 : spheres_.diameters[i];
   }
-  double largest() const {
-    const auto& diameters = spheres_.diameters;
-    return diameters.empty() ? 1.0 : *std::max_element(diameters.begin(), diameters.end());
-  }
+  bool is_of_class(std::size_t i) const { return diameter(i) > sizes_.low; }
   bool is_immobile(std::size_t i) const {
     return !spheres_.immobile.empty() && spheres_.immobile[i] != 0;
   }
@@ -104,12 +112,15 @@ class SortedSpheres {
   }
 
   void search_cell(std::size_t i, const Place& place, std::int64_t cell, Overlap& deepest) const {
-    auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(cell, i + 1));
+    auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(cell, std::size_t{0}));
     for (; found != sorted_.end() && found->first == cell; ++found) {
-      const double sigma = (diameter(i) + diameter(found->second)) / 2;
-      const double depth = sigma - distance(place, place_of(found->second));
-      if (!(depth > deepest.depth) || (is_immobile(i) && is_immobile(found->second))) continue;
-      deepest = {static_cast<std::int64_t>(i), static_cast<std::int64_t>(found->second), depth};
+      const std::size_t j = found->second;
+      if (j <= i && is_of_class(j)) continue;  // each pair once
+      const double sigma = (diameter(i) + diameter(j)) / 2;
+      const double depth = sigma - distance(place, place_of(j));
+      if (!(depth > deepest.depth) || (is_immobile(i) && is_immobile(j))) continue;
+      const auto [first, second] = std::minmax(i, j);
+      deepest = {static_cast<std::int64_t>(first), static_cast<std::int64_t>(second), depth};
     }
   }
 
@@ -130,9 +141,20 @@ class SortedSpheres {
   }
 
   const PlacedSpheres& spheres_;
+  SizeClass sizes_;
   std::array<std::int64_t, 3> cells_{};
   std::vector<std::pair<std::int64_t, std::size_t>> sorted_;  ///< cell, sphere
 };
+
+/// The largest diameter up to a limit; 0 where there is none.
+double largest_up_to(double limit, const PlacedSpheres& spheres) {
+  if (spheres.diameters.empty()) return limit >= 1 ? 1 : 0;
+  double largest = 0;
+  for (const double diameter : spheres.diameters) {
+    if (diameter <= limit) largest = std::max(largest, diameter);
+  }
+  return largest;
+}
 
 }  // namespace
 
@@ -156,6 +178,17 @@ double deepest_permitted(OverlapRule rule, double guard, double time, double lon
   return by_rounding;
 }
 
-Overlap deepest_overlap(const PlacedSpheres& spheres) { return SortedSpheres(spheres).deepest(); }
+Overlap deepest_overlap(const PlacedSpheres& spheres) {
+  // Small spheres are sorted anew among themselves: in cells for the large ones they would all be
+  // compared with each other.
+  Overlap deepest;
+  double high = largest_up_to(std::numeric_limits<double>::infinity(), spheres);
+  while (high > 0) {
+    const SizeClass sizes{high / 2, high};
+    SortedSpheres(spheres, sizes).search(deepest);
+    high = largest_up_to(sizes.low, spheres);
+  }
+  return deepest;
+}
 
 }  // namespace zenosphere

@@ -30,14 +30,21 @@ std::vector<Ball> balls(const std::vector<Rational>& values) {
 
 }  // namespace
 
-BallSpheres::BallSpheres(std::span<const ExactSphere> spheres, const Rational& restitution)
-    : share_(Rational((1 + restitution) / 2)) {
+BallSpheres::BallSpheres(std::span<const ExactSphere> spheres,
+                         const PairRestitutions& restitutions) {
   for (const ExactSphere& sphere : spheres) {
     spheres_.push_back({balls(sphere.position), balls(sphere.velocity)});
   }
   const int count = static_cast<int>(spheres_.size());
   for (int i = 0; i < count; ++i) {
-    for (int j = i + 1; j < count; ++j) predict(meetings_.emplace_back(Meeting{{i, j}}));
+    for (int j = i + 1; j < count; ++j) {
+      const ExactSphere& a = spheres[i];
+      const ExactSphere& b = spheres[j];
+      const Rational sigma = a.radius + b.radius;
+      const Rational share = (1 + restitutions.rows[i][j]) / ((a.mass + b.mass) * sigma * sigma);
+      predict(meetings_.emplace_back(Meeting{
+          {i, j}, Ball(sigma), Ball(Rational(share * b.mass)), Ball(Rational(share * a.mass))}));
+    }
   }
 }
 
@@ -49,13 +56,13 @@ BallSpheres::Motion BallSpheres::motion(const Pair& pair) const {
 
 Ball BallSpheres::Motion::approach_at(const Ball& time) const { return dot(at(dp, dv, time), dv); }
 
-Ball BallSpheres::Motion::gap_at(const Ball& time) const {
+Ball BallSpheres::Motion::gap_at(const Ball& time, const Ball& sigma) const {
   const std::vector<Ball> dr = at(dp, dv, time);
   const Ball square = dot(dr, dr);
-  return (square - 1) / (square_root(square) + 1);
+  return (square - sigma * sigma) / ((square_root(square) + sigma) * sigma);
 }
 
-/// |dp + dv t| = 1: the earlier root, for a pair that approaches.
+/// |dp + dv t| = sigma: the earlier root, for a pair that approaches.
 void BallSpheres::predict(Meeting& meeting) const {
   const Motion pair = motion(meeting.pair);
   meeting.is_certain = true;
@@ -63,7 +70,8 @@ void BallSpheres::predict(Meeting& meeting) const {
   if (pair.approach_at(now_).is_positive()) return;
   const Ball a = dot(pair.dv, pair.dv);
   const Ball b = dot(pair.dp, pair.dv);
-  const Ball discriminant = b * b - a * (dot(pair.dp, pair.dp) - 1);
+  const Ball& sigma = meeting.sigma;
+  const Ball discriminant = b * b - a * (dot(pair.dp, pair.dp) - sigma * sigma);
   if (discriminant.is_negative()) return;
   meeting.is_certain = discriminant.is_positive() && pair.approach_at(now_).is_negative();
   if (meeting.is_certain) meeting.time = (Ball(0) - b - square_root(discriminant)) / a;
@@ -96,21 +104,24 @@ void BallSpheres::move_epoch_to_now() {
 
 void BallSpheres::collide(const Meeting& meeting) {
   Motion pair = motion(meeting.pair);
-  gap_ = pair.gap_at(now_);
+  gap_ = pair.gap_at(now_, meeting.sigma);
   now_ = *meeting.time;
   pair_ = meeting.pair;
   move_epoch_to_now();
   pair = motion(pair_);
   const std::vector<Ball> normal = at(pair.dp, pair.dv, now_);
-  const Ball change = share_ * dot(normal, pair.dv);
+  const Ball approach = dot(normal, pair.dv);
+  const Ball change_i = meeting.share_i * approach;
+  const Ball change_j = meeting.share_j * approach;
   Sphere& i = spheres_[pair_.first];
   Sphere& j = spheres_[pair_.second];
   for (std::size_t k = 0; k < normal.size(); ++k) {
-    const Ball step = change * normal[k];
-    i.v[k] += step;
-    j.v[k] -= step;
-    i.p[k] -= step * now_;  // the place at `now` stays
-    j.p[k] += step * now_;
+    const Ball step_i = change_i * normal[k];
+    const Ball step_j = change_j * normal[k];
+    i.v[k] += step_i;
+    j.v[k] -= step_j;
+    i.p[k] -= step_i * now_;  // the place at `now` stays
+    j.p[k] += step_j * now_;
   }
   for (Meeting& other : meetings_) {
     const auto [a, b] = other.pair;

@@ -26,7 +26,9 @@ class BallSpheres {
     not_certain  ///< the balls overlap: more bits may tell
   };
 
-  BallSpheres(std::span<const ExactSphere> spheres, const Rational& restitution);
+  BallSpheres(std::span<const ExactSphere> spheres, const PairRestitutions& restitutions);
+  BallSpheres(std::span<const ExactSphere> spheres, const Rational& restitution)
+      : BallSpheres(spheres, PairRestitutions(spheres.size(), restitution)) {}
 
   /// Goes on to the next collision. After anything else nothing has changed.
   Event next_event();
@@ -35,7 +37,7 @@ class BallSpheres {
   /// The latest collision time, since the given moment.
   Ball now() const { return epoch_ + now_; }
   /// Of the pair that has just collided, at the collision before: the separation criterion's gap,
-  /// in diameters.
+  /// in mean diameters of the two.
   const Ball& gap_before() const { return gap_; }
 
  private:
@@ -44,6 +46,8 @@ class BallSpheres {
   };
   struct Meeting {
     Pair pair;
+    Ball sigma;                  ///< distance of the centres at contact
+    Ball share_i, share_j;       ///< (1 + e) (m_i m_j / (m_i + m_j)) / sigma^2, over m_i and m_j
     bool is_certain = true;      ///< whether they meet is known
     std::optional<Ball> time{};  ///< nothing where they never do
   };
@@ -51,7 +55,7 @@ class BallSpheres {
     std::vector<Ball> dp, dv;
 
     Ball approach_at(const Ball& time) const;  ///< dr . dv
-    Ball gap_at(const Ball& time) const;
+    Ball gap_at(const Ball& time, const Ball& sigma) const;
   };
 
   Motion motion(const Pair& pair) const;
@@ -59,7 +63,6 @@ class BallSpheres {
   void collide(const Meeting& meeting);
   void move_epoch_to_now();
 
-  Ball share_;  ///< (1 + e)/2
   std::vector<Sphere> spheres_;
   std::vector<Meeting> meetings_;
   Pair pair_{-1, -1};

@@ -104,9 +104,9 @@ struct Pass {
 
 class Enclosing {
  public:
-  Enclosing(std::span<const ExactSphere> spheres, const Rational& restitution,
+  Enclosing(std::span<const ExactSphere> spheres, const PairRestitutions& restitutions,
             const ClusterLimits& limits)
-      : spheres_(spheres, restitution), limits_(limits) {}
+      : spheres_(spheres, restitutions), limits_(limits) {}
 
   Pass pass() {
     Pass result;
@@ -167,7 +167,9 @@ std::optional<Pair> overlapping(std::span<const ExactSphere> spheres) {
         square += dr * dr;
         approach += dr * (spheres[j].velocity[k] - spheres[i].velocity[k]);
       }
-      if (square < 1 && approach <= 0) return Pair(static_cast<int>(i), static_cast<int>(j));
+      const Rational sigma = spheres[i].radius + spheres[j].radius;
+      if (square < sigma * sigma && approach <= 0)
+        return Pair(static_cast<int>(i), static_cast<int>(j));
     }
   }
   return std::nullopt;
@@ -191,20 +193,25 @@ std::string reason_of(const Pass& pass, long bits) {
 
 }  // namespace
 
-Certificate enclose_cluster(std::span<const ExactSphere> spheres, const Rational& restitution,
-                            const ClusterLimits& limits) {
+Certificate enclose_cluster(std::span<const ExactSphere> spheres,
+                            const PairRestitutions& restitutions, const ClusterLimits& limits) {
   if (const auto pair = overlapping(spheres)) {
     return {.reason = "spheres " + std::to_string(pair->first) + " and " +
                       std::to_string(pair->second) + " overlap at the moment given"};
   }
   for (long bits = 512;; bits *= 2) {
     const BallPrecision precision(bits);
-    Pass pass = Enclosing(spheres, restitution, limits).pass();
+    Pass pass = Enclosing(spheres, restitutions, limits).pass();
     const bool is_last = 2 * bits > limits.bits || has_to_stop(limits);
     if (pass.needs_bits && !is_last) continue;
     pass.certificate.reason = reason_of(pass, bits);
     return pass.certificate;
   }
+}
+
+Certificate enclose_cluster(std::span<const ExactSphere> spheres, const Rational& restitution,
+                            const ClusterLimits& limits) {
+  return enclose_cluster(spheres, PairRestitutions(spheres.size(), restitution), limits);
 }
 
 }  // namespace zenosphere

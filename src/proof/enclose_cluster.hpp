@@ -29,11 +29,15 @@ struct ClusterLimits {
 /// those are known is the caller's matter, and so is that no other sphere comes near. Collapse
 /// itself it does not prove (docs/decisions/0019).
 ///
-/// \param spheres      two or more, all of one dimension, apart or just in contact; two that
-/// overlap must
-///                     recede (`none` otherwise)
-/// \param restitution  in [0, 1]
+/// \param spheres       two or more, of any sizes and masses, all of one dimension, apart or just
+/// in
+///                      contact; two that overlap must recede (`none` otherwise)
+/// \param restitutions  of each two of them
 /// Source: docs/decisions/0019.
+Certificate enclose_cluster(std::span<const ExactSphere> spheres,
+                            const PairRestitutions& restitutions, const ClusterLimits& limits = {});
+
+/// The same, with one restitution in [0, 1] for all.
 Certificate enclose_cluster(std::span<const ExactSphere> spheres, const Rational& restitution,
                             const ClusterLimits& limits = {});
 

@@ -7,11 +7,21 @@
 
 namespace zenosphere {
 
-/// A sphere of diameter and mass 1 at one moment, in 1, 2 or 3 dimensions, in numbers that are
-/// exact.
+/// A smooth sphere at one moment, in 1, 2 or 3 dimensions, in numbers that are exact.
 struct ExactSphere {
   std::vector<Rational> position;  ///< diameters, in one image of the box
   std::vector<Rational> velocity;  ///< diameter/time, in one frame
+  Rational radius{1, 2};           ///< > 0, diameters
+  Rational mass{1};                ///< > 0
+};
+
+/// The restitution of each two of some spheres, a row for each; symmetric, all in [0, 1].
+struct PairRestitutions {
+  std::vector<std::vector<Rational>> rows;
+
+  /// The same of all.
+  PairRestitutions(std::size_t spheres, const Rational& restitution)
+      : rows(spheres, std::vector<Rational>(spheres, restitution)) {}
 };
 
 /// A binary floating-point number of any kind, exactly; it is finite.

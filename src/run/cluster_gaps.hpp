@@ -32,6 +32,7 @@ class ClusterGaps {
 
   std::int32_t spheres() const { return static_cast<std::int32_t>(state_.positions.size()); }
   const ShearBox<Dim, Real>& box() const { return box_; }
+  const Grains<Real>& grains() const { return state_.grains; }
 
  private:
   ShearBox<Dim, Real> box_;

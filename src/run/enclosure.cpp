@@ -76,24 +76,31 @@ bool closes_around(const ClusterGaps<Dim, Real>& state, const Alone<Dim, Real>& 
 
 /// The time that any other sphere needs at least to reach the cluster.
 ///
-/// Seen from one of its spheres no sphere ever becomes faster than the energy of all allows, and by
-/// a face of the box than the shear between its faces.
+/// Seen from one of its spheres no sphere ever becomes faster than the lightest with the energy of
+/// all, and by a face of the box than the shear between its faces.
 template <int Dim, class Real>
 double least_time_to_reach(const ClusterGaps<Dim, Real>& state,
                            const std::vector<std::int32_t>& cluster) {
+  const Grains<Real>& grains = state.grains();
   double energy = 0;
+  auto lightest = static_cast<double>(grains.mass(0));
   const auto& sides = state.box().sides().components;
   const auto shortest = static_cast<double>(*std::min_element(sides.begin(), sides.end()));
-  double way = shortest / 2 - 1;  // images beyond the nearest are not looked at
+  // Images beyond the nearest are not looked at.
+  double way = shortest / 2 - static_cast<double>(grains.largest_diameter());
   for (std::int32_t other = 0; other < state.spheres(); ++other) {
     const auto dv = state.relative(cluster.front(), other).dv;
-    energy += static_cast<double>(dot(dv, dv));
+    const auto mass = static_cast<double>(grains.mass(other));
+    energy += mass * static_cast<double>(dot(dv, dv));
+    lightest = std::min(lightest, mass);
     if (std::find(cluster.begin(), cluster.end(), other) != cluster.end()) continue;
     for (const std::int32_t own : cluster) {
-      way = std::min(way, static_cast<double>(gap(state.relative(own, other).dr)));
+      const Real sigma = grains.radius(own) + grains.radius(other);
+      const Real distance = gap(state.relative(own, other).dr, sigma) * sigma;
+      way = std::min(way, static_cast<double>(distance));
     }
   }
-  double speed = std::sqrt(energy);
+  double speed = std::sqrt(energy / lightest);
   if constexpr (Dim > 1) {
     speed += static_cast<double>(Real(state.box().shear_rate() * state.box().sides()[1]));
   }
@@ -101,15 +108,38 @@ double least_time_to_reach(const ClusterGaps<Dim, Real>& state,
 }
 
 template <int Dim, class Real>
-std::vector<ExactSphere> exact_spheres(const Alone<Dim, Real>& cluster) {
+std::vector<ExactSphere> exact_spheres(const Alone<Dim, Real>& cluster,
+                                       const Grains<Real>& grains) {
   std::vector<ExactSphere> spheres(cluster.spheres.size());
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     for (int axis = 0; axis < Dim; ++axis) {
       spheres[k].position.push_back(exactly(cluster.positions[k][axis]));
       spheres[k].velocity.push_back(exactly(cluster.velocities[k][axis]));
     }
+    spheres[k].radius = exactly(grains.radius(cluster.spheres[k]));
+    spheres[k].mass = exactly(grains.mass(cluster.spheres[k]));
   }
   return spheres;
+}
+
+template <int Dim, class Real>
+PairRestitutions restitutions_of(const Alone<Dim, Real>& cluster, const Grains<Real>& grains,
+                                 const ContactRules<Real>& rules) {
+  const std::size_t size = cluster.spheres.size();
+  PairRestitutions result(size, exactly(rules.restitution));
+  for (std::size_t a = 0; a < size; ++a) {
+    for (std::size_t b = 0; b < size; ++b) {
+      const std::int32_t kind = grains.kind(cluster.spheres[a]);
+      const std::int32_t other = grains.kind(cluster.spheres[b]);
+      result.rows[a][b] = exactly(rules.constants(kind, other).restitution);
+    }
+  }
+  return result;
+}
+
+bool has_immobile_species(const Case& values) {
+  return std::any_of(values.species.begin(), values.species.end(),
+                     [](const Species& species) { return species.immobile; });
 }
 
 }  // namespace
@@ -121,7 +151,7 @@ std::optional<std::int64_t> place_to_enclose(const Case& values, const JudgedApp
                        std::all_of(gravity.begin(), gravity.end(), [](double g) { return g == 0; });
   const bool is_simple = collision.restitution_law == RestitutionLaw::constant &&
                          collision.contact_duration == 0 && collision.rotation_angle == 0 &&
-                         are_unit_spheres(values);
+                         !is_rough(values) && !has_immobile_species(values);
   const bool is_spent = approach.finding == Finding::singular;
   const std::size_t size = approach.spheres.size();
   if (values.system.dimension < 2 || !is_free || !is_simple || !is_spent) return std::nullopt;
@@ -139,9 +169,10 @@ std::optional<Certificate> enclosed(const Case& values, const ClusterGaps<Dim, R
                                     const std::atomic<bool>* interrupt) {
   const auto in_space = alone(state, cluster);
   if (closes_around(state, in_space)) return std::nullopt;
-  const Rational restitution = exactly(contact_rules_of<Real>(values).restitution);
+  const Grains<Real>& grains = state.grains();
+  const auto restitutions = restitutions_of(in_space, grains, contact_rules_of<Real>(values));
   const ClusterLimits limits{.decades = decades, .deadline = deadline, .interrupt = interrupt};
-  const Certificate found = enclose_cluster(exact_spheres(in_space), restitution, limits);
+  const Certificate found = enclose_cluster(exact_spheres(in_space, grains), restitutions, limits);
   if (found.collisions == 0) return std::nullopt;
   const double left = std::strtod(found.upper.c_str(), nullptr);  // 0 where it is below all doubles
   if (left > least_time_to_reach(state, cluster)) return std::nullopt;

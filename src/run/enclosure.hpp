@@ -17,7 +17,7 @@ namespace zenosphere {
 /// so that little time is left in which another sphere could come. Nothing where the approach is of
 /// no kind to be enclosed: it must have used up its digits, as one that is singular or undecided.
 ///
-/// \param values  the case: discs or spheres of one restitution, in a box or in shear, without
+/// \param values  the case: smooth discs or spheres that are mobile, in a box or in shear, without
 ///                walls, gravity, kicks or contact models
 std::optional<std::int64_t> place_to_enclose(const Case& values, const JudgedApproach& approach);
 

@@ -135,6 +135,9 @@ ContactRules<Real> contact_rules_of(const Case& values) {
   rules.models.rotation_angle = from_decimal<Real>(collision.rotation_angle);
   rules.models.seed = values.start.seed;
   rules.table = contact_table_of<Real>(values);
+  if (collision.reduced_moment_of_inertia) {
+    rules.inertia = from_decimal<Real>(*collision.reduced_moment_of_inertia);
+  }
   return rules;
 }
 

@@ -27,7 +27,7 @@ class Law {
         grains_(grains),
         table_(table_of(values)),
         is_rough_(table_ && table_->is_rough() && values.system.dimension > 1),
-        inertia_(values.system.dimension == 3 ? 0.4L : 0.5L),
+        inertia_(in_precision(reduced_moment_of_inertia(values), values.collision.precision)),
         restitution_(in_precision(values.system.restitution, values.collision.precision)),
         wall_restitution_(in_precision(values.walls.restitution, values.collision.precision)),
         rotates_(values.collision.rotation_angle > 0),

@@ -40,7 +40,7 @@ SnapshotCheck::Number SnapshotCheck::mobile_mass(std::size_t i) const {
 }
 
 SnapshotCheck::Number SnapshotCheck::turning_energy(const Snapshot& snapshot) const {
-  const Number inertia = sides_.size() == 3 ? 0.4L : 0.5L;
+  const Number inertia = reduced_moment_of_inertia(values_);
   const std::size_t axes = sides_.size() == 3 ? 3 : 1;
   Number sum = 0;
   for (std::size_t at = 0; at < snapshot.angular_velocities.size(); ++at) {

@@ -97,6 +97,12 @@ ContactRules<double> unlike_pairs() {
   return rules;
 }
 
+ContactRules<double> rough_shells() {
+  ContactRules<double> rules = support::rough({0.9, 0.4, 0.3}, 2);
+  rules.inertia = 2.0 / 3;
+  return rules;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, MixtureEngine,
     testing::Values(
@@ -124,6 +130,14 @@ INSTANTIATE_TEST_SUITE_P(
                 1,
                 support::rough({0.9, 1, infinity}, 1),
                 1.1,
+                0,
+                2},
+        Mixture{"of_rough_shells",
+                {{15, 1.4, 2.7}, {15, 1, 1}},
+                {5, 5, 5},
+                1,
+                rough_shells(),
+                1.6,
                 0,
                 2},
         Mixture{"of_kinds_with_constants_of_their_own",

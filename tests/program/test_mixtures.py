@@ -184,7 +184,7 @@ def exported(program, file_format, target):
 
 
 def test_exports_have_radius_mass_kind_and_angular_velocity(mixture):
-    _, path = mixture.keep({**ROUGH, **SNAPSHOTS})
+    _, path = mixture.keep({**ROUGH, **SNAPSHOTS, "collision.reduced_moment_of_inertia": 0.6})
     with h5py.File(path) as file:
         group = file["particles/spheres"]
         diameter, mass, kind = (group[name][:] for name in ("diameter", "mass", "species"))
@@ -215,7 +215,7 @@ def test_exports_have_radius_mass_kind_and_angular_velocity(mixture):
 
     header, *_, last = exported(mixture, "csv-observables", "o.csv").read_text().splitlines()
     row = dict(zip(header.split(","), map(float, last.split(","))))
-    inertia = 0.1 * mass * diameter**2
+    inertia = 0.15 * mass * diameter**2  # 0.6 m s^2 / 4
     assert row["rotational_temperature"] == pytest.approx(
         (inertia * (spin**2).sum(axis=1)).mean() / 3, rel=1e-12)
 

@@ -63,6 +63,8 @@ SYSTEMS = {
     "rough": case(),
     "smooth": case(collision=""),
     "perfectly rough": case(collision='tangential_restitution = 1\nfriction = "unbounded"'),
+    "shells": case(collision=ROUGH + "\nreduced_moment_of_inertia = 0.6666666666666667"),
+    "rings": case(dimension=2, collision=ROUGH + "\nreduced_moment_of_inertia = 1"),
     "disks": case(dimension=2),
     "rods": case(dimension=1, collision="", drive='kind = "none"', collisions=400),
     "kicked": case(drive=KICKS),
@@ -182,3 +184,16 @@ def test_collapse_of_rods_of_two_kinds_is_proven(program, restitution, finding):
     result = json.loads(done.stdout.splitlines()[-1])
     assert result["finding"] == finding
     assert "in exact fractions" in result["sentence"]
+
+
+def test_collapse_of_disks_of_two_kinds_is_enclosed(program):
+    """The same three, bent, as disks in the plane: singular, and followed with balls."""
+    disks = RODS.replace("dimension = 1", "dimension = 2").replace("sides = [100]", "sides = [60, 60]")
+    disks = disks.replace("[10, 12.02, 10.9]", "[[10, 10], [12.02, 10.003], [10.9, 10]]")
+    disks = disks.replace("[1, -0.2, 0]", "[[1, 0], [-0.2, 0], [0, 0]]")
+    program.case.write_text(disks)
+    done = program("adjudicate", "case.toml", "--json", "--set", "system.restitution=0.15")
+    result = json.loads(done.stdout.splitlines()[-1])
+    assert result["finding"] == "singular"
+    assert result["approaches"][0]["enclosed_to"] >= 50
+    assert "ball arithmetic" in result["sentence"]

@@ -179,6 +179,35 @@ TEST(CaseContacts, AreRoughByBothConstants) {
             "contact.small.large.friction = 0.5 (needs a tangential_restitution); add it");
 }
 
+TEST(CaseRoughSpheres, HaveAReducedMomentOfInertiaOfSpheresOrDisks) {
+  const std::vector<std::string> rough{"collision.friction=0.5",
+                                       "collision.tangential_restitution=0.5"};
+  const auto said_of = [&](const std::string& inertia) {
+    auto overrides = rough;
+    overrides.push_back("collision.reduced_moment_of_inertia=" + inertia);
+    return said(gas, overrides);
+  };
+  const std::string key = "collision.reduced_moment_of_inertia = ";
+  for (const std::string wrong : {"0", "-0.4", "1.5"}) {
+    EXPECT_EQ(said_of(wrong), key + wrong + " (must be in (0, 1]; 1 is a ring)");
+  }
+  EXPECT_EQ(said_of("0.7"), key +
+                                "0.7 (must be in (0, 2/3] in three dimensions: 0.4 is a solid "
+                                "sphere, 2/3 a shell)");
+  EXPECT_EQ(said(gas, {"collision.reduced_moment_of_inertia=0.4"}),
+            key + "0.4 (without friction nothing turns); remove it, or add collision.friction");
+  auto shell = rough;
+  EXPECT_EQ(reduced_moment_of_inertia(overridden(gas, shell)), 0.4);
+  shell.push_back("collision.reduced_moment_of_inertia=0.6666666666666667");
+  const Case values = overridden(gas, shell);
+  EXPECT_EQ(reduced_moment_of_inertia(parse_case(resolved_toml(values), "resolved", {})),
+            0.6666666666666667);
+  for (std::string& one : shell)
+    one = one == shell.back() ? key.substr(0, key.find(' ')) + "=1" : one;
+  shell.push_back("system.dimension=2");
+  EXPECT_EQ(reduced_moment_of_inertia(overridden(gas, shell)), 1);
+}
+
 /// Mean and standard deviation of the diameters of many spheres.
 std::pair<double, double> moments(const std::string& distribution, double spread) {
   const Case values =

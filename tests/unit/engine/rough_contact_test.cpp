@@ -49,6 +49,7 @@ RoughPair<Dim, Real> random_pair(Dice& dice, const Real& friction) {
   }
   pair.rules.table.emplace(
       1, ContactConstants<Real>{Real(dice.between(0, 1)), Real(dice.between(-1, 1)), friction});
+  if (dice.below(2) == 0) pair.rules.inertia = Real(dice.between(0.1, 1));  // half are solid
   return pair;
 }
 
@@ -61,7 +62,8 @@ RelativeMotion<Dim, Real> motion_of(const RoughPair<Dim, Real>& pair) {
 template <int Dim, class Real>
 Real inertia_of(const RoughPair<Dim, Real>& pair, std::int32_t i) {
   const Real radius = pair.grains.radius(i);
-  return Real(solid_inertia<Dim>) * pair.grains.mass(i) * radius * radius;
+  return pair.rules.inertia.value_or(Real(solid_inertia<Dim>)) * pair.grains.mass(i) * radius *
+         radius;
 }
 
 template <int Dim, class Real>

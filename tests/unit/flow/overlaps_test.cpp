@@ -34,6 +34,34 @@ TEST(DeepestOverlap, FindsTheImageThatShearHasDisplaced) {
   EXPECT_LE(deepest_overlap({positions, {10, 8}, -3}).depth, 0);
 }
 
+TEST(DeepestOverlap, OfSpheresOfManySizesIsThatOfEveryPair) {
+  // Diameters from 0.02 to 2, so that there are seven classes; at each step one pair more.
+  std::vector<double> positions;
+  std::vector<double> diameters;
+  double deepest = -1;
+  for (std::size_t n = 0; n < 300; ++n) {
+    const auto part = [&](double number) {
+      return std::fmod(static_cast<double>((n + 1) * (n + 1)) * number, 1.0);
+    };
+    positions.push_back(30 * part(0.6180339887498949));
+    positions.push_back(20 * part(0.4142135623730951));
+    diameters.push_back(0.02 * std::pow(100.0, part(0.7320508075688772)));
+    for (std::size_t i = 0; i < n; ++i) {
+      double x = positions[2 * n] - positions[2 * i];
+      double y = positions[2 * n + 1] - positions[2 * i + 1];
+      x -= 30 * std::round(x / 30);
+      y -= 20 * std::round(y / 20);
+      const double sigma = (diameters[i] + diameters[n]) / 2;
+      deepest = std::max(deepest, sigma - std::sqrt(x * x + y * y));
+    }
+    const Overlap found = deepest_overlap({positions, {30, 20}, 0, {}, diameters});
+    if (deepest > 0) ASSERT_NEAR(found.depth, deepest, 1e-14) << n;
+    if (deepest <= 0) ASSERT_LE(found.depth, 0) << n;
+    ASSERT_LE(found.i, found.j);
+  }
+  EXPECT_GT(deepest, 0);
+}
+
 TEST(DeepestOverlap, AgreesWithLookingAtEveryPair) {
   // Places at multiples of an irrational number, in boxes of two, three and many cells a side.
   for (const std::vector<double>& sides :

@@ -70,6 +70,65 @@ TEST(EncloseCluster, HoldsTheTimesOfExactRods) {
   }
 }
 
+TEST(EncloseCluster, HoldsTheTimesOfExactRodsOfDifferentLengthAndMass) {
+  Spheres spheres = along({1}, {0, exact_number("1.9"), exact_number("3.1"), exact_number("4.1")},
+                          {1, Rational(1, 5), Rational(-3, 10), Rational(-11, 10)});
+  const std::vector<std::string> lengths{"2", "0.5", "1", "0.4"};
+  const std::vector<std::string> masses{"3", "0.25", "2", "7"};
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    spheres[i].radius = exact_number(lengths[i]) / 2;
+    spheres[i].mass = exact_number(masses[i]);
+  }
+  ExactRods rods({.positions = {"0", "1.9", "3.1", "4.1"},
+                  .velocities = {"1", "0.2", "-0.3", "-1.1"},
+                  .restitution = "0.15",
+                  .lengths = lengths,
+                  .masses = masses});
+  const BallPrecision precision(2000);
+  BallSpheres balls(spheres, exact_number("0.15"));
+  for (int k = 0; k < 200; ++k) {
+    ASSERT_EQ(balls.next_event(), BallSpheres::Event::collision);
+    ASSERT_EQ(rods.next_event(), ExactRods::Event::contact);
+    ASSERT_EQ(balls.pair(), BallSpheres::Pair(rods.letter(), rods.letter() + 1));
+    const Enclosure now = balls.now().ends();
+    ASSERT_LE(now.lower, rods.now());
+    ASSERT_GE(now.upper, rods.now());
+    ASSERT_LT(now.upper - now.lower, exact_number("1e-60"));
+  }
+}
+
+/// A light sphere of half the size between two of M = 3 times its mass, along (3, 4)/5.
+Spheres light_one_between_heavy_ones() {
+  Spheres spheres = along({Rational(3, 5), Rational(4, 5)},
+                          {0, exact_number("0.9"), exact_number("2.02")}, {1, 0, Rational(-1, 5)});
+  for (ExactSphere& sphere : spheres) sphere.mass = 3;
+  spheres[1].mass = 1;
+  spheres[1].radius = Rational(1, 4);
+  return spheres;
+}
+
+// In line they collapse below ((1 - sqrt(1 - b^2)) / b)^2 = 0.20378, b = M/(M + 1)
+// (docs/decisions/0019); equal ones below 0.0718.
+TEST(EncloseCluster, ALightDiskBetweenHeavyOnesCollapsesBelowTheRestitutionOfRods) {
+  const Certificate below =
+      enclose_cluster(light_one_between_heavy_ones(), exact_number("0.203"), {.decades = 60});
+  EXPECT_EQ(below.kind, Kind::enclosed) << below.reason;
+  EXPECT_EQ(below.word, "ab");
+  const Certificate above = enclose_cluster(light_one_between_heavy_ones(), exact_number("0.21"));
+  EXPECT_EQ(above.kind, Kind::escapes) << above.reason;
+}
+
+// Two contacts in turn have real eigenvalues, so that the gaps can fall for ever, if
+// b^2 (1 + e)(1 + e') - e - e' >= 2 sqrt(e e'), b = 3/4: 0.383 >= 0.179 with 0.4 and 0.02, but
+// 0.303 < 0.8 with 0.4 twice.
+TEST(EncloseCluster, TakesTheRestitutionOfEachPair) {
+  const Spheres spheres = light_one_between_heavy_ones();
+  PairRestitutions restitutions(3, exact_number("0.4"));
+  EXPECT_EQ(enclose_cluster(spheres, restitutions).kind, Kind::escapes);
+  restitutions.rows[1][2] = restitutions.rows[2][1] = exact_number("0.02");
+  EXPECT_EQ(enclose_cluster(spheres, restitutions, {.decades = 40}).kind, Kind::enclosed);
+}
+
 TEST(EncloseCluster, ABentRowOfDisksIsFollowedForHundredsOfDecades) {
   const Certificate certificate =
       enclose_cluster(bent_row(), exact_number("0.03"), {.decades = 300, .bits = 4096});

@@ -52,6 +52,26 @@ TEST(Enclosures, NothingIsSaidWhereAnotherDiscMayComeNear) {
 
 TEST(Enclosures, NothingIsSaidOfARowThatClosesAroundTheBox) { EXPECT_FALSE(enclosure(discs(3.2))); }
 
+/// A light disc of half the size between two of three times its mass, all in line, and one far
+/// away. They collapse below 0.2038 (docs/decisions/0019), and equal ones below 0.0718.
+Simulation<2, double> unlike_discs() {
+  Configuration<2, double> start{{{5, 5}, {5.9, 5}, {7.02, 5}, {30, 30}},
+                                 {{1, 0}, {0, 0}, {-0.2, 0}, {0, 0}}};
+  start.grains.diameters = {1, 0.5, 1, 2};
+  start.grains.masses = {3, 1, 3, 1};
+  return {ShearBox<2, double>(Place{60, 60}, 0, 2.2), start, {0.2}};
+}
+
+TEST(Enclosures, DiscsOfDifferentSizeAndMassAreEnclosed) {
+  const auto below = enclosure(unlike_discs(), 0.2);
+  ASSERT_TRUE(below);
+  EXPECT_EQ(below->kind, Certificate::Kind::enclosed);
+  EXPECT_GE(below->decades, 30);
+  const auto above = enclosure(unlike_discs(), 0.21);
+  ASSERT_TRUE(above);
+  EXPECT_EQ(above->kind, Certificate::Kind::escapes);
+}
+
 JudgedApproach singular() {
   JudgedApproach approach;
   approach.finding = Finding::singular;
@@ -71,6 +91,13 @@ TEST(Enclosures, AreNotMadeWhereKicksOrContactModelsAct) {
   Case lasting = discs_of(0.03);
   lasting.collision.contact_duration = 1e-6;
   EXPECT_FALSE(place_to_enclose(lasting, singular()));
+  Case rough = discs_of(0.03);
+  rough.collision.tangential_restitution = 0.5;
+  rough.collision.friction = Friction{0.3};
+  EXPECT_FALSE(place_to_enclose(rough, singular()));
+  Case fixed = discs_of(0.03);
+  fixed.species = {{.name = "wall", .immobile = true}};
+  EXPECT_FALSE(place_to_enclose(fixed, singular()));
 }
 
 }  // namespace
