@@ -44,6 +44,7 @@ class Run final : public SteppedRun {
                      "the state of another number of spheres");
     earlier_seconds_ = output.checkpoint.wall_seconds;
     state(driving_, observers_);
+    if (samples_) state(*samples_);
     file_.emplace(std::move(output));
     recorder_.emplace(values, simulation_, *file_, state);
     state.require_end();
@@ -57,13 +58,20 @@ class Run final : public SteppedRun {
         driving_(values),
         observers_(values, simulation_),
         rows_({values.collapse.gap_threshold.template in<Real>(), simulation_.box().clock_unit()}),
-        cadence_(values.output, simulation_.collisions()) {}
+        cadence_(values.output, simulation_.collisions()) {
+    const auto& measure = values.measure;
+    if (!measure.sampling_interval) return;
+    const double from = measure.after_time.is_found() ? 0 : measure.after_time.time();
+    const bool is_limited = values.run.time.has_value();
+    samples_.emplace(simulation_, SampleTimes{*measure.sampling_interval, from, is_limited});
+  }
 
   void advance(const Piece& piece, std::vector<CollisionRow>* rows) override {
     begin(piece, rows);
     while (!is_ending() && !is_piece_done()) {
       if (const auto collision = simulation_.collision_until(next_stop())) {
         observers_.observe(*collision, simulation_);
+        if (samples_) samples_->observe(*collision, simulation_);
         if (recorder_) recorder_->observe(*collision);
         rows_.observe(*collision);
       } else if (simulation_.is_waiting()) {
@@ -104,7 +112,7 @@ class Run final : public SteppedRun {
     }
     Summary result = summary_at(simulation_);
     if (recorder_) recorder_->finish(simulation_);
-    if (file_) file_->finish(result, observers_.anatomy(), series_now());
+    if (file_) file_->finish(result, observers_.anatomy(), series_now(), samples_now());
     return result;
   }
 
@@ -143,7 +151,8 @@ class Run final : public SteppedRun {
   }
 
   double next_pause() const {
-    const double next = std::min(last_moment<Real>(values_), driving_.next_kick());
+    double next = std::min(last_moment<Real>(values_), driving_.next_kick());
+    if (samples_) next = std::min(next, samples_->next());
     return recorder_ ? std::min(next, recorder_->next_snapshot()) : next;
   }
 
@@ -171,6 +180,7 @@ class Run final : public SteppedRun {
     if (recorder_ && simulation_.has_reached(recorder_->next_snapshot())) {
       recorder_->take_snapshot(simulation_);
     }
+    if (samples_ && simulation_.has_reached(samples_->next())) samples_->take(simulation_);
     kick_if_due();
   }
 
@@ -219,6 +229,7 @@ class Run final : public SteppedRun {
     write_state_head<Dim, Real>(archive);
     simulation_.archive_to(archive);
     archive(driving_, observers_);
+    if (samples_) archive(*samples_);
     recorder_->archive_to(archive);
     return {.collisions = simulation_.collisions(),
             .time = simulation_.time(),
@@ -227,12 +238,15 @@ class Run final : public SteppedRun {
             .wall_seconds = wall_seconds(),
             .summary = to_json(summary_at(simulation_), Dim),
             .series = series_now(),
+            .samples = samples_now(),
             .state = archive.release()};
   }
 
   RecordedSeries series_now() const {
     return recorded(observers_.measurements().series(simulation_), Dim);
   }
+
+  RecordedSamples samples_now() const { return samples_ ? recorded(*samples_) : RecordedSamples{}; }
 
   /// Wall time of the whole run, with what it took before it was interrupted [s].
   double wall_seconds() const { return earlier_seconds_ + stopwatch_.seconds(); }
@@ -284,6 +298,7 @@ class Run final : public SteppedRun {
   Simulation<Dim, Real> simulation_;
   RandomDriving<Dim, Real> driving_;
   Observers<Dim, Real> observers_;
+  std::optional<Samples<Dim, Real>> samples_;
   RowCollector<Dim, Real> rows_;     ///< for who drives the run
   std::int64_t last_collision_ = 0;  ///< of the piece; likewise
   double last_time_ = 0, last_second_ = 0;
