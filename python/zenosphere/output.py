@@ -101,6 +101,16 @@ class Output:
         """
         return self._core.series()
 
+    @cached_property
+    def samples(self) -> dict[str, Any]:
+        """What the run has accumulated with `measure.sampling_interval`; empty where nothing was.
+
+        Sums over the samples of successive rows, (K, ...) each, as docs/file-format.md has them,
+        with "step" and "time" (K) of the last sample of each row; and "edges", a dict of those of
+        the bins. `zenosphere.analyse` makes the curves of them.
+        """
+        return self._core.samples()
+
     @property
     def snapshots(self) -> "Snapshots":
         """The states of the spheres that were recorded, a sequence of `State`."""

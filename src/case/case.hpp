@@ -133,7 +133,8 @@ struct Case {
   } run;
   struct Measure {
     AverageStart after_time = 0.0;
-    std::optional<double> interval;  ///< of the time series; none: from the collision rate
+    std::optional<double> interval;           ///< of the time series; none: from the collision rate
+    std::optional<double> sampling_interval;  ///< of what is accumulated; none: nothing is
   } measure;
   struct Output {
     std::optional<double> snapshot_interval;  ///< time; none: only the first and the last state

@@ -186,6 +186,11 @@ Objection snapshots_too_often(const Case& values) {
   return interval ? too_often(*interval, values) : std::nullopt;
 }
 
+Objection samples_too_often(const Case& values) {
+  const auto& interval = values.measure.sampling_interval;
+  return interval ? too_often(*interval, values) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> wrong_speed(const std::vector<double>& velocities, int dimension) {
@@ -259,7 +264,8 @@ std::span<const Rule> speed_rules() {
         "system.sides", fraction, "system.aspect_ratio", "system.spheres", "collision.precision"},
        upper_wall_out_of_range},
       {{"drive.kick_interval", "drive.kind", "run.time"}, kicks_too_often},
-      {{"output.snapshot_interval", "run.time"}, snapshots_too_often}};
+      {{"output.snapshot_interval", "run.time"}, snapshots_too_often},
+      {{"measure.sampling_interval", "run.time"}, samples_too_often}};
   return rules;
 }
 

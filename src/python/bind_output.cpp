@@ -17,6 +17,7 @@ void bind_output(py::module_& module) {
           py::arg("file"))
       .def("collisions", &ReadOutput::collisions)
       .def("series", &ReadOutput::series)
+      .def("samples", &ReadOutput::samples)
       .def("snapshot", &ReadOutput::snapshot, py::arg("n"))
       .def_property_readonly("info", &ReadOutput::info)
       .def_property_readonly("resolved", &ReadOutput::resolved_case)

@@ -47,6 +47,20 @@ std::vector<CollisionRow> rows_of(const RecordedRun& run) {
   return rows;
 }
 
+/// Rows of columns by their names, with "step" and "time".
+py::dict arrays_of(RecordedSeries series) {
+  const auto rows = static_cast<py::ssize_t>(series.time.size());
+  py::dict arrays;
+  arrays["step"] = owning_array(std::move(series.step), {rows});
+  arrays["time"] = owning_array(std::move(series.time), {rows});
+  for (RecordedSeries::Column& column : series.columns) {
+    std::vector<py::ssize_t> shape{rows};
+    shape.insert(shape.end(), column.shape.begin(), column.shape.end());
+    arrays[py::str(column.name)] = owning_array(std::move(column.values), std::move(shape));
+  }
+  return arrays;
+}
+
 }  // namespace
 
 ReadOutput::ReadOutput(std::string file) : file_(std::move(file)) {
@@ -69,16 +83,19 @@ py::array ReadOutput::collisions() const {
 }
 
 py::dict ReadOutput::series() const {
-  RecordedSeries series = read_safely(file_, [](const RecordedRun& run) { return run.series(); });
-  const auto rows = static_cast<py::ssize_t>(series.time.size());
-  py::dict arrays;
-  arrays["step"] = owning_array(std::move(series.step), {rows});
-  arrays["time"] = owning_array(std::move(series.time), {rows});
-  for (RecordedSeries::Column& column : series.columns) {
-    std::vector<py::ssize_t> shape{rows};
-    shape.insert(shape.end(), column.shape.begin(), column.shape.end());
-    arrays[py::str(column.name)] = owning_array(std::move(column.values), std::move(shape));
+  return arrays_of(read_safely(file_, [](const RecordedRun& run) { return run.series(); }));
+}
+
+py::dict ReadOutput::samples() const {
+  RecordedSamples samples =
+      read_safely(file_, [](const RecordedRun& run) { return run.samples(); });
+  if (samples.sums.columns.empty()) return {};
+  py::dict arrays = arrays_of(std::move(samples.sums)), edges;
+  for (RecordedSeries::Column& each : samples.edges) {
+    const auto count = static_cast<py::ssize_t>(each.values.size());
+    edges[py::str(each.name)] = owning_array(std::move(each.values), {count});
   }
+  arrays["edges"] = edges;
   return arrays;
 }
 

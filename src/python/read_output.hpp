@@ -22,6 +22,9 @@ class ReadOutput {
   pybind11::array collisions() const;  ///< all rows of the log, structured (K)
   /// The time series: "step" (K), "time" (K) and each observable (K, ...) under its name.
   pybind11::dict series() const;
+  /// What has been accumulated: "step", "time" and sums as those of a series, and "edges", a dict.
+  /// Empty where nothing was.
+  pybind11::dict samples() const;
   std::int64_t snapshots() const { return snapshots_; }
   /// Collisions done, time, positions (N, D), velocities (N, D), box edges (D, D) of snapshot `n`,
   /// from 0.

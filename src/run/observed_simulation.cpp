@@ -8,6 +8,7 @@
 #include "run/log_rows.hpp"
 #include "run/observers.hpp"
 #include "run/random_driving.hpp"
+#include "run/recorded_series.hpp"
 #include "run/recorder.hpp"
 #include "run/setup.hpp"
 #include "run/snapshot_of.hpp"
@@ -26,6 +27,11 @@ class Observed final : public ObservedSimulation {
         driving_(values),
         observers_(values, simulation_),
         rows_({values.collapse.gap_threshold.template in<Real>(), simulation_.box().clock_unit()}) {
+    const auto& measure = values.measure;
+    if (!measure.sampling_interval) return;
+    const double from = measure.after_time.is_found() ? 0 : measure.after_time.time();
+    const bool is_limited = values.run.time.has_value();
+    samples_.emplace(simulation_, SampleTimes{*measure.sampling_interval, from, is_limited});
   }
 
   Observed(const Case& values, const std::atomic<bool>* interrupt, ArchiveReader& state)
@@ -33,6 +39,7 @@ class Observed final : public ObservedSimulation {
     require_archived(simulation_.spheres() == values.system.spheres,
                      "the state of another number of spheres");
     state(driving_, observers_);
+    if (samples_) state(*samples_);
   }
 
   Halt go_on(const Stretch& stretch) override {
@@ -42,6 +49,7 @@ class Observed final : public ObservedSimulation {
       ++halt.rounds;
       if (const auto collision = simulation_.collision_until(stretch.time)) {
         observers_.observe(*collision, simulation_);
+        if (samples_) samples_->observe(*collision, simulation_);
         if (recorder_) recorder_->observe(*collision);
         rows_.observe(*collision);
       } else {
@@ -62,7 +70,8 @@ class Observed final : public ObservedSimulation {
   }
 
   double next_pause() const override {
-    const double next = std::min(last_moment(), driving_.next_kick());
+    double next = std::min(last_moment(), driving_.next_kick());
+    if (samples_) next = std::min(next, samples_->next());
     return recorder_ ? std::min(next, recorder_->next_snapshot()) : next;
   }
 
@@ -72,6 +81,7 @@ class Observed final : public ObservedSimulation {
     if (recorder_ && simulation_.has_reached(recorder_->next_snapshot())) {
       recorder_->take_snapshot(simulation_);
     }
+    if (samples_ && simulation_.has_reached(samples_->next())) samples_->take(simulation_);
     kick_if_due();
   }
 
@@ -107,6 +117,9 @@ class Observed final : public ObservedSimulation {
   std::int64_t separation_hits() const override { return observers_.hits(); }
   const Anatomy& anatomy() const override { return observers_.anatomy(); }
   ObservableSeries series() const override { return observers_.measurements().series(simulation_); }
+  RecordedSamples samples() const override {
+    return samples_ ? recorded(*samples_) : RecordedSamples{};
+  }
 
   void add_to(Summary& summary, double time) const override {
     tell_at(time, [&](const auto& simulation) { observers_.add_to(summary, simulation); });
@@ -129,6 +142,7 @@ class Observed final : public ObservedSimulation {
     write_state_head<Dim, Real>(archive);
     simulation_.archive_to(archive);
     archive(driving_, observers_);
+    if (samples_) archive(*samples_);
     recorder_->archive_to(archive);
     checkpoint.state = archive.release();
   }
@@ -154,6 +168,7 @@ class Observed final : public ObservedSimulation {
   Simulation<Dim, Real> simulation_;
   RandomDriving<Dim, Real> driving_;
   Observers<Dim, Real> observers_;
+  std::optional<Samples<Dim, Real>> samples_;
   RowCollector<Dim, Real> rows_;  ///< for who drives the run
   std::optional<Recorder<Dim, Real>> recorder_;
 };

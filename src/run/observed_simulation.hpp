@@ -81,6 +81,7 @@ class ObservedSimulation {
   virtual std::int64_t separation_hits() const = 0;
   virtual const Anatomy& anatomy() const = 0;
   virtual ObservableSeries series() const = 0;
+  virtual RecordedSamples samples() const = 0;  ///< empty without `measure.sampling_interval`
 
   /// Adds what has been observed, as it is at `time` where nothing happens up to there.
   virtual void add_to(Summary& summary, double time) const = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "flow/observable_series.hpp"
+#include "flow/samples.hpp"
 #include "storage/records.hpp"
 
 namespace zenosphere {
@@ -17,6 +18,21 @@ inline RecordedSeries recorded(const ObservableSeries& series, int dimension) {
     if (column.shape == Shape::row) shape = {static_cast<std::int64_t>(column.count)};
     if (column.shape == Shape::matrix) shape = {dimension, dimension};
     recorded.columns.push_back({column.name, std::move(shape), series.values(column)});
+  }
+  return recorded;
+}
+
+/// What a run has accumulated, as files have it.
+template <int Dim, class Real>
+RecordedSamples recorded(const Samples<Dim, Real>& samples) {
+  RecordedSamples recorded{.sums = {.step = samples.steps(), .time = samples.times()}};
+  for (std::size_t n = 0; n < samples.columns().size(); ++n) {
+    const SampledColumn& column = samples.columns()[n];
+    std::vector<std::int64_t> shape(column.shape.begin(), column.shape.end());
+    recorded.sums.columns.push_back({column.name, std::move(shape), samples.values(n)});
+  }
+  for (SampledEdges& edges : samples.edges()) {
+    recorded.edges.push_back({std::move(edges.name), {}, std::move(edges.values)});
   }
   return recorded;
 }

@@ -1,26 +1,14 @@
 #include "run/recorder.hpp"
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "flow/intervals_to_next.hpp"
 #include "model/instantiate.hpp"
 #include "run/snapshot_of.hpp"
 
 namespace zenosphere {
-namespace {
-
-/// Intervals from one snapshot to the next where no time ends the run: a clock that leaps ahead of
-/// what cools would have no end of them. 1, but twice as many after each thousand snapshots.
-std::int64_t intervals_to_next(std::int64_t multiple) {
-  constexpr std::int64_t alike = 1000;
-  return static_cast<std::int64_t>(
-      std::bit_floor(static_cast<std::uint64_t>(multiple / alike + 1)));
-}
-
-}  // namespace
-
 template <int Dim, class Real>
 Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& simulation,
                               OutputFile& file)

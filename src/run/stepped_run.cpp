@@ -147,7 +147,9 @@ Summary SteppedRun::finish() {
   simulation_->close(stopped_at_);
   if (simulation_->what_ends() == EndedBy::self_check) ended_by_ = EndedBy::self_check;
   Summary result = summary_at(simulation_->time());
-  if (output_) output_->file().finish(result, simulation_->anatomy(), series());
+  if (output_) {
+    output_->file().finish(result, simulation_->anatomy(), series(), simulation_->samples());
+  }
   return result;
 }
 
@@ -166,6 +168,7 @@ Checkpoint SteppedRun::checkpoint() const {
   checkpoint.wall_seconds = clock_.wall_seconds();
   checkpoint.summary = to_json(summary_at(checkpoint.time), values_.system.dimension);
   checkpoint.series = series();
+  checkpoint.samples = simulation_->samples();
   return checkpoint;
 }
 

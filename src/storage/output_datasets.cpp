@@ -265,12 +265,14 @@ void OutputDatasets::store(const Checkpoint& checkpoint) {
   hdf5::write_attribute(group, "git_hash", build_info::git_hash);
   hdf5::write_text(group, "summary", checkpoint.summary);
   write_series(contents_->file, checkpoint.series);
+  write_samples(contents_->file, checkpoint.samples);
   state_series(group, checkpoint.state.size()).replace(checkpoint.state);
 }
 
 void OutputDatasets::finish(const Summary& summary, const Anatomy& anatomy,
-                            const RecordedSeries& series) {
+                            const RecordedSeries& series, const RecordedSamples& samples) {
   write_series(contents_->file, series);
+  write_samples(contents_->file, samples);
   contents_->log.mark(contents_->log.length() == summary.collisions);
   const int dimension = contents_->trajectory.dimension();
   write_anatomy(contents_->own, anatomy, dimension);

@@ -58,9 +58,10 @@ class OutputDatasets {
   /// Stores a checkpoint in place of the one before.
   void store(const Checkpoint& checkpoint);
 
-  /// Writes the summary, what was found in a collapse, the time series, and the marks of
-  /// completeness, and the checksums of everything.
-  void finish(const Summary& summary, const Anatomy& anatomy, const RecordedSeries& series);
+  /// Writes the summary, what was found in a collapse, the time series, what
+  /// was accumulated, the marks of completeness, and the checksums of everything.
+  void finish(const Summary& summary, const Anatomy& anatomy, const RecordedSeries& series,
+              const RecordedSamples& samples);
 
   /// Hands everything to the system and closes the file. The last call.
   void close();

@@ -254,12 +254,12 @@ void OutputFile::end(Checkpoint checkpoint) {
 }
 
 void OutputFile::finish(const Summary& summary, const Anatomy& anatomy,
-                        const RecordedSeries& series) {
+                        const RecordedSeries& series, const RecordedSamples& samples) {
   guarded([&] {
     flush_rows();
     if (!part_) ending_ = fold();
     part_->store(ending_);
-    part_->finish(summary, anatomy, series);
+    part_->finish(summary, anatomy, series, samples);
     close_part();
     seal(part_path_);
     publish();

@@ -75,8 +75,9 @@ class OutputFile {
   ///
   /// \param anatomy  what was found in a collapse, if there was one
   /// \param series   averages over the intervals of the whole run
+  /// \param samples  what it has accumulated of its structure
   void finish(const Summary& summary, const Anatomy& anatomy = {},
-              const RecordedSeries& series = {});
+              const RecordedSeries& series = {}, const RecordedSamples& samples = {});
 
   /// Throws where the files of this output are no longer under their names: what is written then is
   /// lost to everybody.

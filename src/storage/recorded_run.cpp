@@ -54,6 +54,7 @@ void RecordedRun::add_journal() {
   JournalContents contents = contents_of(journal_file_, Thoroughness::checkpoints);
   if (!contents.checkpoint) return;
   newer_series_ = std::move(contents.checkpoint->series);
+  newer_samples_ = std::move(contents.checkpoint->samples);
   const bool is_there = basis.snapshots <= stored_snapshots_ && basis.log_rows <= stored_rows_ &&
                         basis.snapshots >= 0 && basis.log_rows >= 0;
   require_archived(is_there, "it goes on from more than there is");

@@ -31,6 +31,8 @@ class RecordedRun {
   /// The time series up to the end of the run, or to its last checkpoint. Throws InputError where
   /// it cannot be read.
   RecordedSeries series() const { return newer_series_ ? *newer_series_ : file_.series(); }
+  /// What has been accumulated of the structure; likewise.
+  RecordedSamples samples() const { return newer_samples_ ? *newer_samples_ : file_.samples(); }
 
   /// The collision log comes in pieces of at most 65536 rows; how many there are.
   std::int64_t log_pieces() const;
@@ -49,9 +51,10 @@ class RecordedRun {
 
   std::filesystem::path path_;
   RunFile file_;
-  std::int64_t stored_snapshots_ = 0;           ///< that count, of those in the output file
-  std::int64_t stored_rows_ = 0;                ///< likewise
-  std::optional<RecordedSeries> newer_series_;  ///< of the journal
+  std::int64_t stored_snapshots_ = 0;             ///< that count, of those in the output file
+  std::int64_t stored_rows_ = 0;                  ///< likewise
+  std::optional<RecordedSeries> newer_series_;    ///< of the journal
+  std::optional<RecordedSamples> newer_samples_;  ///< likewise
   FileDescriptor journal_file_;
   std::optional<JournalReader> journal_;
   std::vector<JournalRecord> snapshots_;  ///< of the journal

@@ -125,6 +125,18 @@ struct RecordedSeries {
   }
 };
 
+/// What a run has accumulated of its structure: sums over successive rows of samples.
+struct RecordedSamples {
+  RecordedSeries sums{};                        ///< row by row; step and time of the last sample
+  std::vector<RecordedSeries::Column> edges{};  ///< of the bins of what is counted in bins
+
+  /// \throws ArchiveError where columns differ in length
+  template <class Self, class Archive>
+  static void archive_state(Self& self, Archive& archive) {
+    archive(self.sums, self.edges);
+  }
+};
+
 /// How far a run has come, and everything that is needed to go on from there.
 struct Checkpoint {
   std::int64_t collisions = 0;
@@ -136,12 +148,13 @@ struct Checkpoint {
   double wall_seconds = 0;     ///< that the run has taken so far
   std::string summary{};       ///< JSON, of the run so far
   RecordedSeries series{};     ///< likewise
+  RecordedSamples samples{};   ///< likewise
   Bytes state{};               ///< of the run and all that observes it; begins with its version
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.collisions, self.time, self.clock_units, self.clock_remainder, self.log_rows,
-            self.snapshots, self.wall_seconds, self.summary, self.series, self.state);
+            self.snapshots, self.wall_seconds, self.summary, self.series, self.samples, self.state);
   }
 };
 

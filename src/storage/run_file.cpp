@@ -180,6 +180,10 @@ RecordedSeries RunFile::series() const {
   return reading(path_, [&] { return read_series(file_); });
 }
 
+RecordedSamples RunFile::samples() const {
+  return reading(path_, [&] { return read_samples(file_); });
+}
+
 Anatomy RunFile::anatomy() const {
   return reading(path_, [&] {
     return read_anatomy(hdf5::opened(file_, "zenosphere"), info_.dimension, info_.spheres);

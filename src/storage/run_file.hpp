@@ -34,6 +34,8 @@ class RunFile {
 
   /// The time series of the run; likewise.
   RecordedSeries series() const;
+  /// What the run has accumulated; likewise.
+  RecordedSamples samples() const;
 
   /// What was found at the first hit and at the arrest, as far as it is in the file; likewise.
   Anatomy anatomy() const;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "flow/averages.hpp"
+#include "storage/hdf5_contents.hpp"
 #include "storage/hdf5_series.hpp"
 
 namespace zenosphere {
@@ -104,6 +105,62 @@ RecordedSeries read_series(const Handle& file) {
     series.columns.push_back({name, std::move(shape), hdf5::values<double>(group, path)});
   });
   return series;
+}
+
+namespace {
+
+/// Names of the groups or datasets in a group that hold `inner`, or are themselves what is asked
+/// for where that is empty.
+std::vector<std::string> members(const Handle& group, const std::string& inner) {
+  std::vector<std::string> names;
+  for (const std::string& path : hdf5::value_names(group)) {
+    const std::size_t slash = path.find('/');
+    const bool is_inner = slash != std::string::npos && path.substr(slash + 1) == inner;
+    const bool is_own = inner.empty() && slash == std::string::npos;
+    if (is_inner || is_own) names.push_back(path.substr(0, slash));
+  }
+  return names;
+}
+
+}  // namespace
+
+void write_samples(const Handle& file, const RecordedSamples& samples) {
+  if (samples.sums.columns.empty()) return;
+  const Handle own = hdf5::opened(file, "zenosphere");
+  const Handle group = group_at(own, "samples");
+  put(group, "step", {}, samples.sums.step);
+  put(group, "time", {}, samples.sums.time);
+  for (const RecordedSeries::Column& column : samples.sums.columns) {
+    put_element(own, "samples", "samples", column, column.values);
+  }
+  const Handle edges = group_at(group, "edges");
+  for (const RecordedSeries::Column& each : samples.edges) put(edges, each.name, {}, each.values);
+}
+
+RecordedSamples read_samples(const Handle& file) {
+  RecordedSamples samples;
+  const Handle own = hdf5::opened(file, "zenosphere");
+  if (!hdf5::contains(own, "samples")) return samples;
+  const Handle group = hdf5::opened(own, "samples");
+  samples.sums.step = hdf5::values<std::int64_t>(group, "step");
+  samples.sums.time = hdf5::values<double>(group, "time");
+  const auto rows = static_cast<std::int64_t>(samples.sums.time.size());
+  if (samples.sums.step.size() != samples.sums.time.size()) {
+    throw hdf5::Error("samples without their times");
+  }
+  for (const std::string& name : members(group, "value")) {
+    const std::string path = name + "/value";
+    auto shape = hdf5::shape(group, path);
+    if (shape.empty() || shape.front() != rows) throw hdf5::Error(path + " has another length");
+    shape.erase(shape.begin());
+    samples.sums.columns.push_back({name, std::move(shape), hdf5::values<double>(group, path)});
+  }
+  const Handle edges = hdf5::opened(group, "edges");
+  for (const std::string& name : members(edges, "")) {
+    auto values = hdf5::values<double>(edges, name);
+    samples.edges.push_back({name, {}, std::move(values)});
+  }
+  return samples;
 }
 
 }  // namespace zenosphere

@@ -12,6 +12,13 @@ namespace zenosphere {
 /// (MDAnalysis) take row n for frame n: so they have those of the snapshots.
 void write_series(const hdf5::Handle& file, const RecordedSeries& series);
 
+/// Writes what a run has accumulated to /zenosphere/samples, in the place of what is there; nothing
+/// where it accumulates nothing.
+void write_samples(const hdf5::Handle& file, const RecordedSamples& samples);
+
+/// What a file holds of it; empty where it holds nothing. Throws hdf5::Error.
+RecordedSamples read_samples(const hdf5::Handle& file);
+
 /// The series that a file holds; without rows where it holds none. Throws hdf5::Error.
 RecordedSeries read_series(const hdf5::Handle& file);
 

@@ -21,6 +21,17 @@ class LogarithmicHistogram:
         self._counts = np.zeros(len(self.edges) - 1)
         self._number, self._sum, self._below = 0, 0.0, 0
 
+    @classmethod
+    def counted(cls, edges, counts, number, total, below):
+        """The histogram of values that were counted elsewhere.
+
+        number: of all values;  total: their sum;  below: how many lie below the bins
+        """
+        histogram = cls((0, 1))
+        histogram.edges, histogram._counts = edges, counts
+        histogram._number, histogram._sum, histogram._below = number, total, below
+        return histogram
+
     def add(self, values):
         """Counts values; those that are not known (NaN) are left out."""
         values = values[np.isfinite(values)]

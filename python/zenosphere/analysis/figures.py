@@ -201,6 +201,38 @@ def _histogram(name, label):
     return draw
 
 
+def impact_angle(axes, results):
+    """Angle between relative velocity and line of centres, beside that of molecular chaos."""
+    curve = (results["collision_distributions"] or {}).get("impact_angle")
+    if not curve or results["dimension"] == 1:
+        return False
+    angle = curve["value"]
+    chaos = np.sin(2 * angle) if results["dimension"] == 3 else np.cos(angle)
+    axes.step(np.degrees(angle), curve["density"], where="mid", color=MARK_COLOUR, linewidth=1)
+    axes.plot(np.degrees(angle), chaos, color=INK, linewidth=0.9, label="molecular chaos")
+    axes.set(xlabel="Impact angle (degrees; 0 is head-on)", ylabel="Density (1/radian)",
+             xlim=(0, 90), xticks=(0, 30, 60, 90), ylim=(0, None))
+    axes.legend()
+    return True
+
+
+def stress(axes, results):
+    """Diagonal of the pressure tensor and dissipation in each layer, over their means."""
+    curve = results["profiles"]
+    if "pressure_tensor" not in curve or len(curve["y"]) < 3:
+        return False
+    for number, axis in enumerate("xyz"[:results["dimension"]]):
+        axes.plot(curve["y"], curve["pressure_tensor"][:, number, number], linewidth=1,
+                  label=f"$P_{{{axis}{axis}}}$")
+    if results["dimension"] > 1:
+        axes.plot(curve["y"], curve["pressure_tensor"][:, 0, 1], linewidth=1, label="$P_{xy}$")
+    axes.plot(curve["y"], curve["dissipation"], "--", color=INK, linewidth=1, label="dissipation")
+    axes.set(xlabel=f"Place ${curve['axis']}$ (diameters)",
+             ylabel="Stress, dissipation (units of the case)")
+    axes.legend()
+    return True
+
+
 FIGURES = {
     "radial-distribution": radial_distribution,
     "partial-radial-distributions": partial_distributions,
@@ -213,6 +245,8 @@ FIGURES = {
     "touching": touching,
     "gap": _histogram("gap", "Gap of the next pair (diameters)"),
     "flight-time": _histogram("flight_time", "Flight time (time unit of the case)"),
+    "impact-angle": impact_angle,
+    "stress-profile": stress,
     "normal-speed": _histogram("normal_speed", "Normal speed at contact (diameters/time unit)"),
 }
 

@@ -59,7 +59,7 @@ class Frames:
         if not len(snapshots):
             raise InputError(f"{output.path}: no snapshots (the run has not got to its first"
                              " checkpoint, or was cut off before it); wait, or run it again")
-        begin = self._usual_start() if from_time is None else from_time
+        begin = self.begin = self._usual_start() if from_time is None else from_time
         self._first = bisect_left(snapshots, begin, key=lambda state: state.time)
         self._end = len(snapshots) if to_time is None else bisect_right(
             snapshots, to_time, key=lambda state: state.time)

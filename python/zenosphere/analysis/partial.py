@@ -60,8 +60,8 @@ class PartialDistributions:
             self._contacts[pair].append(contacts[pair] / self._number(*pair))
         if frame.is_in_detail:
             density = frame.spheres * (frame.spheres - 1) / frame.box.volume
-            self._rows.append(row / (density * shell_volume(self._dimension, self._edges)))
-            shells = shell_volume(self._dimension, self._partial_edges)
+            self._rows.append(row / (density * self._shells(self._edges)))
+            shells = self._shells(self._partial_edges)
             for pair in self._pairs:
                 self._partial_rows[pair].append(parts[pair] / (self._number(*pair) * shells))
 
@@ -101,6 +101,9 @@ class PartialDistributions:
         shell = surface(self._dimension, x[near]) * self._width
         weight[near] = end_weight(np.maximum(x[near] - 1, 0) / self._width) / shell
         return weight
+
+    def _shells(self, edges):
+        return shell_volume(self._dimension, edges)
 
     @staticmethod
     def _bins(first, last):

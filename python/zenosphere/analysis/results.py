@@ -4,6 +4,7 @@ import os
 from typing import Any
 
 from ..output import open as open_output
+from .accumulated import IN_PLACE_OF, Rows, accumulated_distributions, losses_by_kinds
 from .collision_log import collision_distributions
 from .contacts import Contacts, FreePath
 from .displacements import Displacements
@@ -24,6 +25,9 @@ def analyse(path: str | os.PathLike[str], *, from_time: float | None = None,
             to_time: float | None = None) -> dict[str, Any]:
     """Structure, velocities, profiles and transport of a run, from its snapshots.
 
+    Where the run has accumulated samples (`measure.sampling_interval`), radial distributions,
+    velocities, profiles, free path and distributions over collisions are those of the samples.
+
     path: an output file, of a run that has ended or still goes on
     from_time, to_time: of the snapshots that count; from where the averages of the run begin, to
     the last one
@@ -35,7 +39,10 @@ def analyse(path: str | os.PathLike[str], *, from_time: float | None = None,
     output = open_output(path)
     frames = Frames(output, from_time, to_time)
     chosen = MEASUREMENTS if frames.kinds is None else OF_MIXTURES
-    measurements = [measurement(frames) for measurement in chosen]
+    rows = Rows(output.samples, frames.begin, to_time)
+    replaced = IN_PLACE_OF if len(rows) else {}
+    measurements = [replaced[measurement](frames, rows) if measurement in replaced
+                    else measurement(frames) for measurement in chosen]
     for frame in frames:
         for measurement in measurements:
             measurement.add(frame)
@@ -46,4 +53,9 @@ def analyse(path: str | os.PathLike[str], *, from_time: float | None = None,
     found |= stresses(output.summary, frames.shear_rate)
     found["collision_distributions"] = (collision_distributions(output.path, *frames.span)
                                         if output.has_every_collision else None)
-    return found
+    if not len(rows):
+        return found | {"accumulated": None}
+    found["collision_distributions"] = (found["collision_distributions"] or {}
+                                        ) | (accumulated_distributions(rows) or {}) or None
+    kinds = {"dissipation_by_kinds": losses_by_kinds(rows, frames.kinds, frames.box.sides.prod())}
+    return found | {"accumulated": rows.told() | kinds}

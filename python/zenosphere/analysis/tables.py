@@ -34,6 +34,9 @@ def as_text(results):
     """The numbers with their standard errors, a line each, for people."""
     lines = [f"{results['file']}: {results['snapshots']} snapshots of {results['spheres']} spheres,"
              f" time {results['from_time']:g} to {results['to_time']:g}"]
+    if rows := results["accumulated"]:
+        lines.append(f"accumulated in the run: {rows['samples']} samples, time"
+                     f" {rows['from_time']:g} to {rows['to_time']:g}")
     for row in scalar_rows(results):
         value, error = row["value"], row["standard_error"]
         if value is not None:
@@ -113,6 +116,9 @@ def flat_columns(curve):
             columns |= {f"{key}_{axis}": column for axis, column in value.items()}
         elif isinstance(value, dict) and key.startswith("species_"):
             columns |= {f"{key}_{name}": column for name, column in value.items()}
+        elif isinstance(value, np.ndarray) and value.ndim == 3:
+            columns |= {f"{key}_{a}{b}": value[:, "xyz".index(a), "xyz".index(b)]
+                        for a in "xyz"[:value.shape[1]] for b in "xyz"[:value.shape[2]]}
         elif isinstance(value, np.ndarray) and value.ndim == 2:
             columns |= {f"{key}_{axis}": column for axis, column in zip("xyz", value.T)}
         elif isinstance(value, np.ndarray):
