@@ -124,14 +124,14 @@ std::vector<ExactSphere> exact_spheres(const Alone<Dim, Real>& cluster,
 
 template <int Dim, class Real>
 PairRestitutions restitutions_of(const Alone<Dim, Real>& cluster, const Grains<Real>& grains,
-                                 const ContactRules<Real>& rules) {
+                                 const ContactRules<Real>& law) {
   const std::size_t size = cluster.spheres.size();
-  PairRestitutions result(size, exactly(rules.restitution));
+  PairRestitutions result(size, exactly(law.restitution));
   for (std::size_t a = 0; a < size; ++a) {
     for (std::size_t b = 0; b < size; ++b) {
       const std::int32_t kind = grains.kind(cluster.spheres[a]);
       const std::int32_t other = grains.kind(cluster.spheres[b]);
-      result.rows[a][b] = exactly(rules.constants(kind, other).restitution);
+      result.rows[a][b] = exactly(law.constants(kind, other).restitution);
     }
   }
   return result;

@@ -55,8 +55,11 @@ TEST(DeepestOverlap, OfSpheresOfManySizesIsThatOfEveryPair) {
       deepest = std::max(deepest, sigma - std::sqrt(x * x + y * y));
     }
     const Overlap found = deepest_overlap({positions, {30, 20}, 0, {}, diameters});
-    if (deepest > 0) ASSERT_NEAR(found.depth, deepest, 1e-14) << n;
-    if (deepest <= 0) ASSERT_LE(found.depth, 0) << n;
+    if (deepest > 0) {
+      ASSERT_NEAR(found.depth, deepest, 1e-14) << n;
+    } else {
+      ASSERT_LE(found.depth, 0) << n;
+    }
     ASSERT_LE(found.i, found.j);
   }
   EXPECT_GT(deepest, 0);
