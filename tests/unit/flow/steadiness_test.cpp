@@ -62,6 +62,34 @@ TEST(Steadiness, CoolingIsNotSteadyHoweverItSlowsDown) {
             "not steady: granular temperature falls from 0.07981 to 0.0001236 from time 0 to 100");
 }
 
+// Of the first 100 / 16 = 6 intervals two are at 11: (2 x 11 + 4) / 6 = 4.33.
+TEST(Steadiness, ABurstAtTheStartIsNoSteadyState) {
+  const auto quiet = noise(3);
+  const auto burst = [quiet](double t) mutable { return quiet(t) + (t < 2 ? 10 : 0); };
+  const Averages averages = averages_of(100, burst);
+  EXPECT_EQ(averages.steady, false);
+  EXPECT_NE(averages.steady_reason.find("granular temperature begins at 4.3"), std::string::npos)
+      << averages.steady_reason;
+}
+
+TEST(Steadiness, ABurstThatComesBackIsPartOfTheState) {
+  const auto quiet = noise(4);
+  const auto bursts = [quiet](double t) mutable {
+    return quiet(t) + (std::fmod(t, 12) < 2 ? 10 : 0);
+  };
+  EXPECT_EQ(averages_of(100, bursts).steady, true) << averages_of(100, bursts).steady_reason;
+}
+
+TEST(Steadiness, TheBeginningOfACorrelatedSeriesIsSeldomTakenForATransient) {
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    Random random(seed);
+    double state = 3 * random.normal();  // remembers for 10 intervals, of a run of 160
+    const auto correlated = [&](double) { return 10 + (state = 0.9 * state + random.normal()); };
+    const Averages averages = averages_of(160, correlated);
+    EXPECT_EQ(averages.steady_reason.find("begins"), std::string::npos) << averages.steady_reason;
+  }
+}
+
 TEST(Steadiness, ATrendBeyondTheNoiseIsADrift) {
   const auto quiet = noise(2);
   const auto drifting = [quiet](double t) mutable { return quiet(t) + 0.003 * t; };
