@@ -170,6 +170,11 @@ std::string cost_lines(const Summary& s) {
               fmt::format("{:.1f} MiB", static_cast<double>(s.peak_memory_bytes) / mebibyte));
 }
 
+std::string averages_text(const Summary& summary, int dimension) {
+  if (summary.averages) return text_of(*summary.averages, summary.collisions, dimension);
+  return fmt::format("no averages: time {:.6g} is not beyond measure.after_time\n", summary.time);
+}
+
 }  // namespace
 
 std::string to_json(const Summary& summary, int dimension) {
@@ -205,7 +210,7 @@ std::string to_text(const Summary& summary, int dimension, const std::string& ke
   text += verdict_sentence(summary) + "\n\n";
   text += run_lines(summary) + criteria_lines(summary);
   text += anatomy_lines(summary.anatomy) + contact_line(summary.contact) + cost_lines(summary);
-  if (summary.averages) text += '\n' + text_of(*summary.averages, summary.collisions, dimension);
+  text += '\n' + averages_text(summary, dimension);
   text += species_lines(summary);
   return text;
 }

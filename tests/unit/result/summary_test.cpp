@@ -40,6 +40,15 @@ std::vector<std::string> keys(const Json& object) {
   return result;
 }
 
+TEST(Summary, SaysWhyThereAreNoAverages) {
+  Summary summary;
+  summary.time = 176.25;
+  const std::string none = "no averages: time 176.25 is not beyond measure.after_time";
+  EXPECT_NE(to_text(summary, 2).find(none), std::string::npos);
+  summary.averages = planar_averages();
+  EXPECT_EQ(to_text(summary, 2).find("no averages"), std::string::npos);
+}
+
 TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
   const auto json = Json::parse(to_json(collapsed_summary(), 2));
   EXPECT_EQ(keys(json), (std::vector<std::string>{"collisions",
