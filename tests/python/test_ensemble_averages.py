@@ -52,6 +52,14 @@ def test_averages_have_the_spread_of_the_seeds_and_the_error_of_a_run(tmp_path):
     assert np.isnan(averages.means("granular_temperature").run_error).all()
 
 
+def test_a_point_is_steady_where_any_of_its_runs_is(tmp_path):
+    store = write_averages(tmp_path / "s.sqlite")
+    assert Ensemble(store).averages().any_steady.all()
+    with sqlite3.connect(store) as database:
+        database.execute('UPDATE run SET averages_steady = 0 WHERE "system.restitution" = 0.8')
+    np.testing.assert_array_equal(Ensemble(store).averages().any_steady, [[False] * 2, [True] * 2])
+
+
 def test_runs_that_arrested_have_no_averages(tmp_path):
     def arrested(_, replica):
         return (5, 9) if replica == 1 else (None, None)

@@ -44,7 +44,8 @@ def draw_averages(part, heading, figure_grid, styles, pictures):
         _draw_theories(axes, shown[row], curves[column])
         means = part.averages.means(shown[row])
         for number, style in enumerate(styles):
-            _draw_means(axes, x, means, (slice(None), column, number), style)
+            place = (slice(None), column, number)
+            _draw_means(axes, x, means, part.averages.any_steady, place, style)
         values = means.value[np.isfinite(means.value)]
         if shown[row] in POWERS and values.min() > 0 and values.max() > 3 * values.min():
             _log_scale(axes)
@@ -64,11 +65,14 @@ def _log_scale(axes):
     axes.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _draw_means(axes, x, means, place, style):
-    known = np.isfinite(means.value[place])
-    axes.errorbar(x[known], means.value[place][known], yerr=means.error[place][known],
-                  color=style[0], marker=style[1], markersize=3.2, linewidth=0, elinewidth=0.8,
-                  capsize=1.5, markeredgewidth=0, zorder=3)
+def _draw_means(axes, x, means, any_steady, place, style):
+    """Points with their errors; hollow where no run was steady."""
+    for steady, face in ((True, style[0]), (False, "none")):
+        drawn = np.isfinite(means.value[place]) & (any_steady[place] == steady)
+        axes.errorbar(x[drawn], means.value[place][drawn], yerr=means.error[place][drawn],
+                      color=style[0], marker=style[1], markersize=3.2, linewidth=0,
+                      elinewidth=0.8, capsize=1.5, markerfacecolor=face, markeredgewidth=0.6,
+                      zorder=3)
 
 
 def theory_curves(part, fraction):

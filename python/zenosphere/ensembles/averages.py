@@ -97,6 +97,11 @@ class Averages:
         """Whether any run has it."""
         return name in self.values and bool(np.isfinite(self.values[name]).any())
 
+    @property
+    def any_steady(self):
+        """Of each point, whether any run was steady; seeds are summed over."""
+        return (self.steady == 1).any(axis=-1)
+
     def means(self, name):
         """Means over the seeds."""
         value, error = self.values[name], self.errors[name]

@@ -141,7 +141,7 @@ def _findings(part, pictures):
 
 def _averages(part, pictures):
     """Averages with their errors; None where no run has any."""
-    remark = "; bars: standard error of the mean over the seeds"
+    remark = ";\nbars: error of the mean; hollow: no steady run"
     return draw_averages(part, _heading(part, remark), figure_grid, _styles(part), pictures)
 
 
