@@ -214,7 +214,7 @@ def _opened(path):
         raise InputError(f"{path}: does not exist; name an output file of a run")
     try:
         if not h5py.is_hdf5(path):
-            raise InputError(f"{path}: not an HDF5 file (begins with {_beginning(path)!r});"
+            raise InputError(f'{path}: not an HDF5 file (begins with "{_beginning(path)}");'
                              " give a file that `zenosphere run` wrote")
         return h5py.File(path, "r")
     except OSError as error:
@@ -223,8 +223,9 @@ def _opened(path):
 
 
 def _beginning(path):
+    """The first bytes, as text that a terminal can show."""
     with open(path, "rb") as file:
-        return file.read(8)
+        return file.read(8).decode("latin-1").encode("unicode_escape").decode()
 
 
 def _text(value):

@@ -47,7 +47,7 @@ def test_missing_file_is_named(tmp_path):
 def test_text_file_is_not_hdf5(tmp_path):
     path = tmp_path / "case.toml"
     path.write_text("[system]\n")
-    assert "case.toml: not an HDF5 file (begins with b'[system]')" in message(path)
+    assert "case.toml: not an HDF5 file (begins with \"[system]\")" in message(path)
 
 
 def test_truncated_file_cannot_be_read(written):
