@@ -9,6 +9,8 @@
 #include "case/case_rules.hpp"
 #include "case/case_speeds.hpp"
 #include "case/case_words.hpp"
+#include "case/resting_flight.hpp"
+#include "case/wall_motion.hpp"
 
 namespace zenosphere::case_format {
 namespace {
@@ -33,11 +35,6 @@ Objection wall_reaches_the_other(const Case& values) {
       axis_letter(axis), room, room / 2);
 }
 
-double peak_speed(const Case::Walls& walls) {
-  const double turning = walls.motion == OscillationShape::parabolic ? 8 : 2 * std::numbers::pi;
-  return turning * walls.frequency * walls.amplitude;
-}
-
 /// The wall and the shortest flights of a sphere that rests on it are resolved by the clock, which
 /// counts whole time units and the rest.
 Objection frequency_out_of_range(const Case& values) {
@@ -59,6 +56,34 @@ Objection frequency_out_of_range(const Case& values) {
       "(in {} the clock would not resolve the motion of the wall, must be at most {:.3g}); choose "
       "another unit of time or more digits in collision.precision",
       word(values.collision.precision), most);
+}
+
+/// The hops of a sphere that rests on the wall are no separation hits, and the clock resolves them.
+Objection hops_too_low(const Case& values) {
+  const auto& walls = values.walls;
+  if (!walls.motion || !(walls.resting_flight > 0)) return std::nullopt;
+  const auto& acceleration = values.gravity.acceleration;
+  const auto axis = static_cast<std::size_t>(*closed_axis(values));
+  const double gravity = axis < acceleration.size() ? -acceleration[axis] : 0.0;
+  const double peak = peak_acceleration(walls);
+  const double flight =
+      longest_resting_flight(walls.resting_flight, 1 / walls.frequency, peak, gravity);
+  const double height = (peak + std::max(gravity, 0.0)) * flight * flight / 8;
+  constexpr double clear = 100;  // gravity and wall nearly cancel at times: the hops are lower then
+  const double least = clear * values.collapse.gap_threshold.nearest_double();
+  const double most_rounded = 1e-6;
+  const double shortest = std::ldexp(1.0, 1 - values.collision.precision.bits()) / most_rounded;
+  if (height >= least && flight >= shortest) return std::nullopt;
+  const double factor =
+      std::max(std::sqrt(least / height), flight > 0 ? shortest / flight : fastest);
+  const double enough = walls.resting_flight * factor;
+  constexpr double longest = 1e-3;  // that the key takes
+  return fmt::format(
+      "(a sphere that rests would hop {:.3g} diameters high for a time of {:.3g}, which {}); {}",
+      height, flight,
+      height < least ? "is not 100 times collapse.gap_threshold" : "the clock would not resolve",
+      enough <= longest ? fmt::format("use at least {:.3g}, or 0", enough)
+                        : std::string("set it to 0"));
 }
 
 Objection oscillation_of_immobile_spheres(const Case& values) {
@@ -108,6 +133,9 @@ std::span<const Rule> wall_rules() {
       {{"walls.frequency", "walls.motion", "walls.amplitude", "walls.resting_flight",
         "collision.precision"},
        frequency_out_of_range},
+      {{"walls.resting_flight", "walls.axis", "walls.motion", "walls.amplitude", "walls.frequency",
+        "gravity.acceleration", "collapse.gap_threshold", "collision.precision"},
+       hops_too_low},
       {{"walls.lower_temperature", "walls.axis", "walls.motion", "collision.friction"},
        lower_temperature_of_no_use},
       {{"walls.upper_temperature", "walls.axis", "collision.friction"},

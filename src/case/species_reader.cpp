@@ -214,7 +214,9 @@ void SpeciesReader::check_contacts() {
                          "species {})",
                          contact.between[0], contact.between[1], name));
     }
-    if (!contact.restitution && !contact.tangential_restitution && !contact.friction) {
+    const bool has_any = is_given(path + ".restitution") ||
+                         is_given(path + ".tangential_restitution") || is_given(path + ".friction");
+    if (!has_any) {
       reject(given_.at(path)->value_place,
              fmt::format("[[contact]] between {} and {} (changes nothing); add restitution, or "
                          "remove it",

@@ -213,6 +213,8 @@ class Simulation {
   NextMeetings<Real> with_walls(std::int32_t i);
   Meeting<Real> with_oscillating_wall(std::int32_t i) const;
   NextMeetings<Real> first_ahead(std::int32_t i);
+  NextMeetings<Real> with_heavy_partners(std::int32_t i);
+  bool hardly_moves(std::int32_t j, std::int32_t i) const;
   void apply_overlap_rule();
   void limit_rewinds();
   bool is_stale(const Meeting<Real>& meeting) const;

@@ -96,7 +96,7 @@ void Simulation<Dim, Real>::bounce(Collision<Dim, Real>& collision, int wall) {
     const auto bounce = thermal_impact(walls, wall, velocity, after, mass, radius(collision.i));
     collision.impact = bounce.impact;
     collision.change = bounce.change;
-    sphere.velocity += collision.change * Real(1 / mass);
+    sphere.velocity = frame_.moves() ? after - frame_.velocity(now_) : after;
   } else if (law_) {
     law_->bounce(collision, walls, wall, velocity, {grains(), spins()}, least);
     sphere.velocity += collision.change * grains().inverse_mass(collision.i);

@@ -8,6 +8,7 @@
 #include "case/case_cells.hpp"
 #include "case/case_file.hpp"
 #include "case/case_grains.hpp"
+#include "case/resting_flight.hpp"
 #include "engine/start.hpp"
 #include "model/errors.hpp"
 #include "model/instantiate.hpp"
@@ -64,7 +65,13 @@ void add_motion_and_heat(const Case& values, Walls<Real>& walls) {
   if (!told.motion) return;
   const Real period = 1 / from_decimal<Real>(told.frequency);
   walls.oscillation.emplace(*told.motion, from_decimal<Real>(told.amplitude), period);
-  walls.resting_flight = from_decimal<Real>(told.resting_flight) * period;
+  const auto& acceleration = values.gravity.acceleration;
+  const auto axis = static_cast<std::size_t>(walls.axis);
+  const Real gravity =
+      acceleration.empty() ? Real(0) : Real(-from_decimal<Real>(acceleration[axis]));
+  walls.resting_flight =
+      longest_resting_flight<Real>(from_decimal<Real>(told.resting_flight), period,
+                                   walls.oscillation->peak_acceleration(), gravity);
 }
 
 /// Positions and velocities that the case gives; laboratory velocities become peculiar ones.

@@ -18,6 +18,7 @@
 #include "model/errors.hpp"
 #include "model/offset.hpp"
 #include "start/extended_xyz.hpp"
+#include "start/lasting_contact.hpp"
 #include "start/start_species.hpp"
 #include "storage/output_reader.hpp"
 
@@ -238,30 +239,17 @@ void require_digits(const Case& values, const GivenStart& start, const std::stri
   }
 }
 
-/// No sphere that gravity holds on a wall without a speed. Hard spheres meet in instants: in a
-/// contact that lasts there would be one after the other, and the clock would never leave 0.
+/// No sphere that is held on a wall without a speed.
 void require_no_lasting_contact(const Case& values, const GivenStart& start,
                                 const std::string& where) {
-  const auto closed = closed_axis(values);
-  if (!closed || values.gravity.acceleration.empty()) return;
-  if (values.start.granular_temperature.value_or(0) > 0) return;  // then all have a speed
-  const auto axis = static_cast<std::size_t>(*closed);
-  const double pull = values.gravity.acceleration[axis];
-  if (pull == 0) return;
-  const auto components = static_cast<std::size_t>(start.dimension);
-  for (std::size_t at = axis; at < start.positions.size(); at += components) {
-    const double radius = start.grains.radius(static_cast<std::int32_t>(at / components));
-    const bool touches = pull < 0 ? start.positions[at] <= radius
-                                  : start.positions[at] >= start.sides[axis] - radius;
-    const bool moves = !start.velocities.empty() && start.velocities[at] != 0;
-    if (!touches || moves) continue;
-    const std::size_t i = at / components;
-    reject(where,
-           fmt::format("sphere {} at {} rests on a wall, where gravity holds it (contacts of hard "
-                       "spheres are instants: the clock would stand at 0); lift it, or give it a "
-                       "speed away from the wall",
-                       i, place_of(start, i)));
-  }
+  const auto held = lasting_contact(values, start);
+  if (!held) return;
+  const std::string place = fmt::format("{} at {}", held->sphere, place_of(start, held->sphere));
+  reject(where,
+         fmt::format("sphere {} rests on a wall, {} (contacts of hard spheres are instants: "
+                     "the clock would stand at 0); lift it, or give it {}",
+                     place, held->is_pushed ? "which begins to push it" : "where gravity holds it",
+                     held->is_pushed ? "a walls.resting_flight" : "a speed away from the wall"));
 }
 
 }  // namespace

@@ -117,7 +117,8 @@ class LowerWall {
 
   /// With which a sphere that rests is let go, where gravity pulls it with so much.
   Number resting_speed(Number time, Number pull) const {
-    return (acceleration(time) + pull) * resting_ * period_ / 2;
+    const Number bound = pull > peak_acceleration() ? std::sqrt(peak_acceleration() / pull) : 1;
+    return (acceleration(time) + pull) * resting_ * bound * period_ / 2;
   }
 
  private:

@@ -223,6 +223,36 @@ TEST(Obstacles, KeepTheirVelocityAndDoTheWorkOfAMovingWall) {
   EXPECT_LT(run.measurements.ledger_error(run.gas), 1e-11);
 }
 
+/// How many of 4000 collisions of elastic spheres among as many of a mass, or immobile ones, are
+/// those of pairs that overlap; -1: `stop` has ended the run at one.
+int overlaps_among(double mass, bool are_immobile, OverlapRule overlap) {
+  State start = support::random_mixture({{50, 1, mass}, {50, 1, 1}}, {6.4, 6.4, 6.4}, 1, 4);
+  if (are_immobile) {
+    start.grains.immobile.assign(100, 0);
+    for (std::size_t i = 0; i < 50; ++i) {
+      start.grains.immobile[i] = 1;
+      start.velocities[i] = {};
+    }
+  }
+  Gas gas(Box({6.4, 6.4, 6.4}, 0, 1.1), start, {1, overlap});
+  int overlaps = 0;
+  while (gas.collisions() < 4000) {
+    const auto collision = gas.next_collision(1e6);
+    if (!collision) return -1;
+    overlaps += collision->overlapping;
+  }
+  return overlaps;
+}
+
+// What another sphere does to the partner of a meeting does not move such a partner: the meeting,
+// foretold again, must not be found to be over.
+TEST(Obstacles, AreNotOverlappedByTheSpheresThatHitThem) {
+  for (const OverlapRule rule : {OverlapRule::rewind, OverlapRule::immediate, OverlapRule::stop}) {
+    EXPECT_EQ(overlaps_among(1, true, rule), 0);
+    EXPECT_EQ(overlaps_among(1e30, false, rule), 0);
+  }
+}
+
 TEST(Obstacles, AreNotKicked) {
   State start = support::random_gas(20, {6, 6, 6}, 1, 3);
   start.grains.immobile.assign(20, 0);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "run/setup.hpp"
 #include "support/run_text.hpp"
@@ -98,6 +99,20 @@ TEST(ThermalWalls, OfDifferentTemperaturesLeadHeatThroughTheGas) {
     EXPECT_LT(run.ledger_error, 1e-11) << dimension;
     EXPECT_EQ(averages.dissipation, 0) << dimension;
   }
+}
+
+// The velocity that it gives is not a small difference of large ones: a sphere that came with 1 is
+// let go with about 1e-20, and not at rest.
+TEST(ThermalWalls, LetGoWhatIsMuchFasterThanTheyAre) {
+  std::string text = gas(2, 2, 1e-40);
+  text.erase(text.find("granular_temperature = 1\n"), 25);
+  const std::vector<std::string> one{"system.spheres=1", "start.arrangement=given",
+                                     "start.positions=[[4, 4]]", "start.velocities=[[0, 1]]"};
+  auto simulation = new_simulation<2, double>(parse_case(text, "test.toml", one));
+  ASSERT_TRUE(simulation.next_collision(10));
+  const auto velocity = simulation.peculiar_velocity(0);
+  EXPECT_LT(velocity[1], 0);
+  EXPECT_GT(velocity[1], -1e-18);
 }
 
 TEST(ThermalWalls, DrawTheSameVelocitiesFromTheSameSeed) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/simulation.hpp"
@@ -252,6 +253,21 @@ TEST(ABallThatHasSettledOnThePlate, IsNoArrestAndMeetsNoSeparation) {
   EXPECT_EQ(run.ended_by, EndedBy::time);
   EXPECT_GT(run.collisions, 50000);  // 1e-4 of a period each
   EXPECT_LT(run.ledger_error, 1e-10);
+}
+
+// A plate that hardly moves is a floor: the ball falls by 1.5, bounces for 2 sqrt(3) / (1 - 0.5) =
+// 7 time units, and stays. Its hops start with less than pi 1e-4 sqrt(2) sqrt(A).
+TEST(ABallThatHasSettledOnAPlate, GetsNoEnergyHoweverSlowThePlate) {
+  for (const auto& [amplitude, frequency] :
+       std::vector<std::pair<double, double>>{{0.01, 1e-5}, {0.5, 1e-7}, {0.5, 1e-30}}) {
+    const Summary run = test::run_text(
+        kSettling,
+        {"start.positions=[2]", fmt::format("walls.amplitude={}", amplitude),
+         fmt::format("walls.frequency={}", frequency), "run.time=20", "measure.after_time=12"});
+    EXPECT_LT(run.averages.value().granular_temperature, 2e-7 * amplitude) << frequency;
+    EXPECT_NEAR(run.averages->wall_work[0], 0, 1e-7) << frequency;
+    EXPECT_EQ(run.verdict, "none") << frequency;
+  }
 }
 
 TEST(ABallThatMayNotRest, IsArrestedWhereItsBouncesEnd) {

@@ -181,6 +181,8 @@ def test_output_is_exported_and_told(program, system):
     ("frequency = 0.5", "frequency = 0", ["walls.frequency = 0", "> 0"]),
     ("frequency = 0.5", "frequency = 1e9", ["walls.frequency", "clock", "unit of time"]),
     ("frequency = 0.5", "frequency = 0.5\nresting_flight = 0.1", ["resting_flight", "[0, 0.001]"]),
+    ("frequency = 0.5", "frequency = 0.5\nresting_flight = 1e-9",
+     ["walls.resting_flight = 1e-09", "gap_threshold", "use at least", "or 0"]),
     ("frequency = 0.5", "frequency = 0.5\nlower_temperature = 1",
      ["walls.lower_temperature", "either oscillates or is thermal"]),
     ("frequency = 0.5", "frequency = 0.5\nupper_temperature = -1",

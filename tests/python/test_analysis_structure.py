@@ -139,6 +139,13 @@ def test_large_system_has_fewer_waves_and_each_has_some():
     assert Waves(box, 15, 1).largest.tolist() == [1] * 3
 
 
+def test_box_of_the_longest_sides_has_some_waves():
+    box = PeriodicBox(np.eye(3) * 1e9)  # the longest that a case may have
+    waves = Waves(box, 15, 1000)
+    assert (waves.largest >= 1).all()
+    assert len(waves.weight) <= 1000
+
+
 def test_pairs_along_one_direction_are_found_in_its_sector():
     """Dimers at 50 degrees; each of 12 sectors has 15."""
     random = np.random.default_rng(1)

@@ -1,5 +1,7 @@
 """Density waves of a snapshot: sums over spheres of exp(i k r), k of waves that fit into a box."""
 
+import itertools
+
 import numpy as np
 from scipy.fft import next_fast_len, rfftn
 from scipy.interpolate import BSpline
@@ -24,7 +26,7 @@ class Waves:
     def __init__(self, box, k, limit):
         sides = np.where(np.arange(box.dimension) == box.walls, 0, box.sides)
         wavelengths = k * sides / (2 * np.pi) + 1e-9
-        reached = (np.floor(wavelengths * scale) for scale in 0.9 ** np.arange(99))
+        reached = (np.floor(wavelengths * 0.9**step) for step in itertools.count())
         largest = next(most for most in reached if np.prod(2 * most + 1) / 2 <= limit)
         self.largest = np.maximum(largest, sides > 0).astype(int)
         last = len(sides) - 1

@@ -163,6 +163,10 @@ TEST(CaseContacts, AreOfSpeciesThatThereAre) {
             "[[contact]] between small and huge (there is no species huge)");
   EXPECT_EQ(said(gas + small_and_large + "[[contact]]\nbetween = [\"small\", \"large\"]\n"),
             "[[contact]] between small and large (changes nothing); add restitution, or remove it");
+  EXPECT_EQ(said(gas + small_and_large +
+                 "[[contact]]\nbetween = [\"small\", \"large\"]\nrestitution = 1.2\n")
+                .find("changes nothing"),
+            std::string::npos);
   EXPECT_EQ(said(gas + small_and_large + "[[contact]]\nbetween = \"small\"\nrestitution = 1\n"),
             "between = \"small\" (needs the names of two species)");
 }

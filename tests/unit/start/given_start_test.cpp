@@ -89,6 +89,31 @@ TEST(GivenStart, SphereThatRestsOnAWallUnderGravityIsNamed) {
   EXPECT_EQ(problem_at("[[1, 7.5], [1, 2]]", with("[[0, 0], [0, 0]]")), "");  // falls
 }
 
+// The plate is accelerated upwards from time 0: with and without gravity it pushes what touches it,
+// elastic or not.
+TEST(GivenStart, SphereOnAPlateStaysThereIfItMayRest) {
+  const auto on_a_plate = [](const std::string& resting_flight, const std::string& gravity) {
+    std::vector<std::string> plate{"walls.axis=y",
+                                   "walls.restitution=1",
+                                   "walls.motion=sinusoidal",
+                                   "walls.amplitude=0.1",
+                                   "walls.frequency=1",
+                                   "start.velocities=[[0, 0], [1, 0]]",
+                                   "walls.resting_flight=" + resting_flight};
+    if (!gravity.empty()) plate.push_back("gravity.acceleration=" + gravity);
+    return problem_at("[[1, 0.5], [4, 2]]", plate);
+  };
+  EXPECT_EQ(on_a_plate("1e-4", "[0, -1]"), "");
+  EXPECT_EQ(on_a_plate("1e-4", ""), "");
+  const std::string refused =
+      "start.positions: sphere 0 at (1, 0.5) rests on a wall, which begins to push it (contacts "
+      "of hard spheres are instants: the clock would stand at 0); lift it, or give it a "
+      "walls.resting_flight";
+  EXPECT_EQ(on_a_plate("0", "[0, -1]"), refused);
+  EXPECT_EQ(on_a_plate("0", ""), refused);
+  EXPECT_EQ(on_a_plate("0", "[0, 4]"), "");  // (2 pi)^2 0.1 = 3.9: it falls up faster
+}
+
 TEST(GivenStart, OverlappingSpheresAreNamedAndTouchingOnesPass) {
   EXPECT_EQ(problem_at("[[1, 1], [1.93, 1]]"),
             "start.positions: spheres 0 and 1 overlap (distance 0.93 diameters); move them apart");
