@@ -266,7 +266,7 @@ TEST(ABallThatHasSettledOnAPlate, GetsNoEnergyHoweverSlowThePlate) {
          fmt::format("walls.frequency={}", frequency), "run.time=20", "measure.after_time=12"});
     EXPECT_LT(run.averages.value().granular_temperature, 2e-7 * amplitude) << frequency;
     EXPECT_NEAR(run.averages->wall_work[0], 0, 1e-7) << frequency;
-    EXPECT_EQ(run.verdict, "none") << frequency;
+    EXPECT_EQ(run.verdict, Verdict::none) << frequency;
   }
 }
 
