@@ -7,46 +7,20 @@
 #include <nlohmann/json.hpp>
 
 #include "model/errors.hpp"
+#include "support/summaries.hpp"
 
 namespace zenosphere {
 namespace {
 
+using test::collapsed_summary;
+using test::planar_averages;
+
 using Json = nlohmann::ordered_json;
-
-Summary collapsed_summary() {
-  Summary summary;
-  summary.collisions = 90;
-  summary.collisions_per_sphere = 45;
-  summary.outcome = Outcome::collapsed;
-  summary.ended_by = EndedBy::arrest;
-  summary.verdict = Verdict::arrested;
-  summary.separation = {12, 70, 0.25, 90, 0.5, 0.125};
-  summary.arrest = {true, 88, 0.5, 10, {{0, 3}, {1, 3}}, {}, {}, 1};
-  return summary;
-}
-
-Averages planar_averages() {
-  Averages averages;
-  averages.granular_temperature = 0.1;
-  averages.temperature_diagonal = {0.125, 0.075};
-  averages.pressure_tensor = {1, 2, 3, 4};
-  averages.to_time = 0.5;
-  return averages;
-}
 
 std::vector<std::string> keys(const Json& object) {
   std::vector<std::string> result;
   for (const auto& item : object.items()) result.push_back(item.key());
   return result;
-}
-
-TEST(Summary, SaysWhyThereAreNoAverages) {
-  Summary summary;
-  summary.time = 176.25;
-  const std::string none = "no averages: time 176.25 is not beyond measure.after_time";
-  EXPECT_NE(to_text(summary, 2).find(none), std::string::npos);
-  summary.averages = planar_averages();
-  EXPECT_EQ(to_text(summary, 2).find("no averages"), std::string::npos);
 }
 
 TEST(Summary, JsonHasTheFixedKeysInTheirOrderAndOursBehindThem) {
@@ -184,31 +158,6 @@ TEST(Summary, ErrorsHaveTheKeysAndShapesOfTheAverages) {
   EXPECT_TRUE(averages["standard_error"]["pressure"].is_null());
 }
 
-TEST(Summary, TextGivesAnAverageWithItsError) {
-  auto summary = collapsed_summary();
-  summary.averages = planar_averages();
-  summary.averages->standard_error = planar_averages();
-  summary.averages->standard_error->granular_temperature = 0.003;
-  EXPECT_NE(to_text(summary, 2, "").find("granular temperature    0.100(3) (diameter"),
-            std::string::npos);
-}
-
-TEST(Summary, TextGivesAveragesThatFewCollisionsSupportInFewDigits) {
-  Summary summary;
-  summary.verdict = Verdict::none;
-  summary.averages = planar_averages();
-  summary.averages->granular_temperature = 0.123456789;
-  const auto told_after = [&](std::int64_t collisions) {
-    summary.collisions = collisions;
-    const std::string text = to_text(summary, 2, "");
-    const std::size_t begin = text.find("granular temperature") + 24;
-    return text.substr(begin, text.find(' ', begin) - begin);
-  };
-  EXPECT_EQ(told_after(23), "0.12");        // 1 / sqrt(23) is a fifth
-  EXPECT_EQ(told_after(10'000), "0.1235");  // a per cent
-  EXPECT_EQ(told_after(100'000'000), "0.123457");
-}
-
 TEST(Summary, IsReadBackWhereAveragesAreNoNumbersOfDouble) {
   Summary summary = collapsed_summary();
   summary.averages = planar_averages();
@@ -291,56 +240,6 @@ TEST(Summary, ReadsBackEveryWordAndARunThatHasNotEnded) {
   summary.ended_by.reset();
   EXPECT_EQ(Json::parse(to_json(summary, 2))["ended_by"], "");
   EXPECT_FALSE(summary_from_json(to_json(summary, 2), 2).ended_by);
-}
-
-TEST(Summary, TextBeginsWithTheVerdictInPlainWords) {
-  auto summary = collapsed_summary();
-  EXPECT_EQ(to_text(summary, 2).find("Collapse: "), 0u);
-  summary.verdict = Verdict::open;
-  EXPECT_EQ(to_text(summary, 2).find("Undecided: "), 0u);
-  summary.verdict = Verdict::temporary;
-  EXPECT_EQ(to_text(summary, 2).find("No arrest: "), 0u);
-  summary.verdict = Verdict::none;
-  EXPECT_EQ(to_text(summary, 2).find("No collapse: "), 0u);
-}
-
-TEST(Summary, TextTellsHowManyOthersStillMoveWhereTheClockStands) {
-  auto summary = collapsed_summary();
-  EXPECT_NE(to_text(summary, 2).find("\n1 other sphere was still moving and held up too: "),
-            std::string::npos);
-  EXPECT_NE(to_text(summary, 2).find("  0-3 1-3; 1 other sphere still moving\n"),
-            std::string::npos);
-  summary.arrest.others_moving = 0;
-  EXPECT_EQ(to_text(summary, 2).find("still moving"), std::string::npos);
-}
-
-TEST(Summary, OfAnOlderVersionTellsNeitherTheLastTimeNorWhoStillMoves) {
-  auto json = Json::parse(to_json(collapsed_summary(), 2));
-  json["separation"].erase("last_time");
-  json["separation"].erase("longest_pause");
-  json["arrest"].erase("others_moving");
-  const Summary old = summary_from_json(json.dump(), 2);
-  EXPECT_FALSE(old.separation.last_time);
-  EXPECT_FALSE(old.arrest.others_moving);
-}
-
-TEST(Summary, TextAlignsItsValuesInOneColumn) {
-  auto summary = collapsed_summary();
-  summary.averages = planar_averages();
-  const std::string text = to_text(summary, 2);
-  for (const char* line :
-       {"\n  collisions              90 (45 per sphere)\n", "\n  arrested pairs          0-3 1-3;",
-        "\n    along each axis       0.12          0.075\n",
-        "\n    tensor                1             2\n",
-        "\n                          3             4\n"}) {
-    EXPECT_NE(text.find(line), std::string::npos) << line << "is not in\n" << text;
-  }
-}
-
-TEST(Summary, TextNamesOnlyTheFirstPairsOfALargeCluster) {
-  auto summary = collapsed_summary();
-  summary.arrest.pairs.assign(9, {4, 5});
-  EXPECT_NE(to_text(summary, 2).find(" 4-5 4-5 4-5 4-5 4-5 4-5 and 3 more;"), std::string::npos);
 }
 
 }  // namespace
