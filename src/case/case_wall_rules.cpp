@@ -82,8 +82,8 @@ Objection hops_too_low(const Case& values) {
       "(a sphere that rests would hop {:.3g} diameters high for a time of {:.3g}, which {}); {}",
       height, flight,
       height < least ? "is not 100 times collapse.gap_threshold" : "the clock would not resolve",
-      enough <= longest ? fmt::format("use at least {:.3g}, or 0", enough)
-                        : std::string("set it to 0"));
+      enough <= longest ? fmt::format("set walls.resting_flight to at least {:.3g}, or 0", enough)
+                        : std::string("set walls.resting_flight to 0"));
 }
 
 Objection oscillation_of_immobile_spheres(const Case& values) {
@@ -133,7 +133,7 @@ std::span<const Rule> wall_rules() {
       {{"walls.frequency", "walls.motion", "walls.amplitude", "walls.resting_flight",
         "collision.precision"},
        frequency_out_of_range},
-      {{"walls.resting_flight", "walls.axis", "walls.motion", "walls.amplitude", "walls.frequency",
+      {{"walls.amplitude", "walls.axis", "walls.motion", "walls.resting_flight", "walls.frequency",
         "gravity.acceleration", "collapse.gap_threshold", "collision.precision"},
        hops_too_low},
       {{"walls.lower_temperature", "walls.axis", "walls.motion", "collision.friction"},

@@ -182,7 +182,9 @@ def test_output_is_exported_and_told(program, system):
     ("frequency = 0.5", "frequency = 1e9", ["walls.frequency", "clock", "unit of time"]),
     ("frequency = 0.5", "frequency = 0.5\nresting_flight = 0.1", ["resting_flight", "[0, 0.001]"]),
     ("frequency = 0.5", "frequency = 0.5\nresting_flight = 1e-9",
-     ["walls.resting_flight = 1e-09", "gap_threshold", "use at least", "or 0"]),
+     ["walls.amplitude = 0.4", "gap_threshold", "walls.resting_flight to at least", "or 0"]),
+    ("amplitude = 0.4", "amplitude = 1e-9",  # too small for the default
+     ["walls.amplitude = 1e-09", "gap_threshold", "set walls.resting_flight to 0"]),
     ("frequency = 0.5", "frequency = 0.5\nlower_temperature = 1",
      ["walls.lower_temperature", "either oscillates or is thermal"]),
     ("frequency = 0.5", "frequency = 0.5\nupper_temperature = -1",
