@@ -39,6 +39,13 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<
 }
 
 template <int Dim, class Real>
+Simulation<Dim, Real>::Simulation(const Simulation&) = default;
+template <int Dim, class Real>
+Simulation<Dim, Real>::Simulation(Simulation&&) noexcept = default;
+template <int Dim, class Real>
+Simulation<Dim, Real>::~Simulation() = default;
+
+template <int Dim, class Real>
 std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(double until) {
   waiting_ = false;
   Instant<Real> limit = instant(until);

@@ -58,6 +58,11 @@ class Simulation {
              const Surroundings<Dim, Real>& surroundings, ArchiveReader& archive);
   void archive_to(ArchiveWriter& archive) const;
 
+  // Compiled once: implicit ones would be so in every source that holds a simulation.
+  Simulation(const Simulation&);
+  Simulation(Simulation&&) noexcept;
+  ~Simulation();
+
   /// Goes on to the next collision and does it.
   ///
   /// \param until  time since the start at which to stop instead

@@ -308,6 +308,13 @@ Configuration<Dim, Real> Spheres<Dim, Real>::configuration(double units, const R
   return state;
 }
 
+template <int Dim, class Real>
+Spheres<Dim, Real>::Spheres(const Spheres&) = default;
+template <int Dim, class Real>
+Spheres<Dim, Real>::Spheres(Spheres&&) noexcept = default;
+template <int Dim, class Real>
+Spheres<Dim, Real>::~Spheres() = default;
+
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Spheres<Dim, Real>;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

@@ -60,6 +60,11 @@ class Spheres {
   Spheres(const ShearBox<Dim, Real>& box, const Vector& acceleration, ArchiveReader& archive);
   void archive_to(ArchiveWriter& archive) const;
 
+  // Compiled once, like those of a simulation.
+  Spheres(const Spheres&);
+  Spheres(Spheres&&) noexcept;
+  ~Spheres();
+
   std::int32_t count() const { return static_cast<std::int32_t>(spheres_.size()); }
   Sphere& operator[](std::int32_t i) { return spheres_[static_cast<std::size_t>(i)]; }
   const Sphere& operator[](std::int32_t i) const { return spheres_[static_cast<std::size_t>(i)]; }

@@ -41,6 +41,11 @@ TrialRun<Dim, Real>::TrialRun(const Case& values, Simulation<Dim, Real> simulati
       measurements_(simulation_, std::numeric_limits<double>::infinity()) {}
 
 template <int Dim, class Real>
+TrialRun<Dim, Real>::TrialRun(TrialRun&&) noexcept = default;
+template <int Dim, class Real>
+TrialRun<Dim, Real>::~TrialRun() = default;
+
+template <int Dim, class Real>
 void TrialRun<Dim, Real>::go(const TrialEnd& end) {
   while (!is_over(end)) {
     if (const auto collision = simulation_.collision_until(next_pause())) {

@@ -43,6 +43,9 @@ class TrialRun {
   /// Goes on from the state that `state()` gave, perhaps in fewer digits.
   TrialRun(const Case& values, ArchiveReader& archive);
 
+  TrialRun(TrialRun&&) noexcept;  // these two compiled once, as those of a simulation
+  ~TrialRun();
+
   /// Goes on until the end, or as its case has it.
   void go(const TrialEnd& end);
 
