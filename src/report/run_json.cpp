@@ -44,9 +44,10 @@ Json json_of(const Cluster& cluster) {
 }
 
 Json json_of(const ClusterCollisions& rows) {
-  return {{"k", rows.k},          {"time", rows.time}, {"i", rows.i},
-          {"j", rows.j},          {"gap", rows.gap},   {"normal_speed", rows.normal_speed},
-          {"flight", rows.flight}};
+  Json json = Json::object();
+  ClusterCollisions::fields(rows,
+                            [&](const char* name, const auto& column) { json[name] = column; });
+  return json;
 }
 
 Json json_of(const std::optional<Dissection>& dissection) {
@@ -140,7 +141,7 @@ Json json_of(const std::vector<PairCount>& pairs) {
 
 }  // namespace
 
-std::string run_json(const std::string& name, const RunFile& file, const Case& values,
+std::string run_json(const std::string& name, const RunReader& file, const Case& values,
                      const Frames& frames, const std::vector<StretchName>& stretches,
                      const std::vector<PairCount>& pairs) {
   const OutputInfo& info = file.info();
@@ -158,7 +159,7 @@ std::string run_json(const std::string& name, const RunFile& file, const Case& v
                   {"grains", grains_json(values)},
                   {"summary", Json::parse(to_json(info))},
                   {"anatomy", {{"hit", json_of(anatomy.hit)}, {"arrest", json_of(anatomy.arrest)}}},
-                  {"adjudication", parsed(file.adjudication())},
+                  {"adjudication", parsed(info.adjudication)},
                   {"snapshots", json_of(frames)},
                   {"series", json_of(file.series())},
                   {"log", json_of(stretches)},
