@@ -73,8 +73,12 @@ class SeparationCriterion {
   std::optional<double> last_time() const { return last_time_; }
 
   SeparationResult result() const {
-    SeparationResult result{hits_,           first_collision_, {},
-                            last_collision_, last_time_,       longest_pause_};
+    SeparationResult result;
+    result.hits = hits_;
+    result.first_collision = first_collision_;
+    result.last_collision = last_collision_;
+    result.last_time = last_time_;
+    result.longest_pause = longest_pause_;
     if (first_time_) result.first_time = static_cast<double>(*first_time_);
     return result;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "case/case_choices.hpp"
 #include "case/case_grains.hpp"
 #include "storage/info.hpp"
 #include "text/json.hpp"
@@ -62,19 +63,21 @@ Json json_of(const std::optional<Dissection>& dissection) {
           {"decay", json_of(dissection->decay)}};
 }
 
+/// The word of the case file, but "fixed loss" as people write it.
+std::string law_text(RestitutionLaw law) {
+  return law == RestitutionLaw::fixed_loss ? "fixed loss" : case_format::word_for(law);
+}
+
 /// What the page needs to know of the case, in numbers and words.
 Json json_of(const Case& values) {
-  static constexpr const char* drives[] = {"none", "shear", "random"};
-  static constexpr const char* laws[] = {"constant", "viscoelastic", "fixed loss", "two-valued"};
-  static constexpr const char* axes[] = {"x", "y", "z"};
   const auto& walls = values.walls.axis;
   const bool is_constant = values.collision.restitution_law == RestitutionLaw::constant;
   return {{"restitution", is_constant ? Json(values.system.restitution) : Json()},
-          {"restitution_law", laws[static_cast<int>(values.collision.restitution_law)]},
+          {"restitution_law", law_text(values.collision.restitution_law)},
           {"solids_volume_fraction", values.system.solids_volume_fraction},
-          {"drive", drives[static_cast<int>(values.drive.kind)]},
+          {"drive", case_format::word_for(values.drive.kind)},
           {"shear_rate", values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0.0},
-          {"walls", walls ? Json(axes[static_cast<int>(*walls)]) : Json()},
+          {"walls", walls ? Json(case_format::word_for(*walls)) : Json()},
           {"gap_threshold", values.collapse.gap_threshold.nearest_double()},
           {"window", values.collapse.window},
           {"seed", values.start.seed}};
