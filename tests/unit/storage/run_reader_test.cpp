@@ -33,6 +33,9 @@ TEST_F(RunReaderTest, GoesOnInTheJournalUpToItsLastCheckpoint) {
   leave_unfinished(output);
   const RunReader run(path);
   EXPECT_EQ(run.info().logged_collisions, 5);
+  EXPECT_EQ(run.info().last_collision, 5);
+  EXPECT_EQ(run.info().last_time, checkpoint(5).time);
+  EXPECT_FALSE(run.info().has_ended());
   ASSERT_EQ(run.snapshots(), 2);
   EXPECT_EQ(run.snapshot(0).step, 0);
   EXPECT_EQ(run.snapshot(1).step, 5);
@@ -48,6 +51,7 @@ TEST_F(RunReaderTest, FinishedRunIsInItsFile) {
     finish(output, 3);
   }
   const RunReader run(path);
+  EXPECT_TRUE(run.info().has_ended());
   EXPECT_EQ(run.snapshots(), 2);
   EXPECT_EQ(numbers_in(run), (std::vector<std::int64_t>{1, 2, 3}));
 }
@@ -68,6 +72,9 @@ TEST_F(RunReaderTest, LongerRunTakesTheEndOfTheShorterBack) {
   output.write(snapshot(4));
   output.checkpoint(checkpoint(4));
   const RunReader run(path);
+  EXPECT_TRUE(run.info().complete);  // the shorter one
+  EXPECT_FALSE(run.info().has_ended());
+  EXPECT_EQ(run.info().last_time, checkpoint(4).time);
   EXPECT_EQ(numbers_in(run), (std::vector<std::int64_t>{1, 2, 3, 4}));
   ASSERT_EQ(run.snapshots(), 2);
   EXPECT_EQ(run.snapshot(1).step, 4);
