@@ -68,7 +68,8 @@ void append_observables(NewFile& file, const Frame& frame) {
     text +=
         fmt::format(",{}", turning_of(frame) / (motion.mobile * (frame.dimension == 3 ? 3 : 1)));
   }
-  file.write(text + fmt::format(",{}\n", std::sqrt(motion.fastest)));
+  text += fmt::format(",{}\n", std::sqrt(motion.fastest));
+  file.write(text);
 }
 
 std::string series_header(const RecordedSeries& series) {
@@ -95,9 +96,11 @@ std::string series_row(const RecordedSeries& series, std::size_t row) {
 std::string collisions_header() {
   std::string text;
   CollisionRows::fields(CollisionRows(), [&](const char* name, const auto&, auto) {
-    text += (text.empty() ? "" : ",") + std::string(name);
+    if (!text.empty()) text += ',';
+    text += name;
   });
-  return text + '\n';
+  text += '\n';
+  return text;
 }
 
 std::string collisions_row(const CollisionRow& row) {

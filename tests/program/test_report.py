@@ -142,12 +142,14 @@ def test_short_log_has_no_list_of_pairs(page):
 
 
 def test_page_of_an_unfinished_run_shows_its_last_checkpoint(program):
-    process = program.start({"output.checkpoint_collisions": 20000, "output.collision_log": '"all"'})
-    process.kill()
-    process.wait()
+    program.kill_with_journal(program.start({"output.checkpoint_collisions": 1000,
+                                             "output.collision_log": "all"}))
     program("report", "out.h5", "-o", "page.html")
-    found = blocks(program.folder / "page.html")
-    assert found["run"]["summary"]["file"]["complete"] is False
+    run = blocks(program.folder / "page.html")["run"]
+    assert run["summary"]["file"]["complete"] is False
+    with h5py.File(program.folder / "out.h5") as file:
+        in_the_file = file["collisions/k"][-1] if len(file["collisions/k"]) else 0
+    assert run["log"][0]["last"] == run["summary"]["file"]["logged_collisions"] > in_the_file
 
 
 def test_report_says_what_it_wrote(program):
