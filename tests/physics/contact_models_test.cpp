@@ -20,7 +20,7 @@ Summary three_rods(std::vector<std::string> changes = {}) {
 }
 
 /// The three rods as disks on a line.
-const std::string three_disks = R"(
+const std::string kThreeDisks = R"(
 [system]
 dimension = 2
 spheres = 3
@@ -56,7 +56,7 @@ collisions = 20000
 )";
 
 using Changes = std::vector<std::string>;
-const Changes tc{"collision.contact_duration=1e-3"};
+const Changes kTc{"collision.contact_duration=1e-3"};
 const Changes kViscoelastic{"collision.restitution_law=viscoelastic",
                             "collision.viscoelastic_constant=0.3"};
 const Changes kRotation{"collision.rotation_angle=0.1"};
@@ -93,10 +93,10 @@ TEST(ContactDurationModel, KeepsABallBouncingOnAFloor) {
 }
 
 TEST(Rotation, EndsTheCollapseOfThreeDisks) {
-  EXPECT_GT(test::run_text(three_disks).separation.hits, 0);
+  EXPECT_GT(test::run_text(kThreeDisks).separation.hits, 0);
   for (const std::string seed : {"1", "2", "3", "4", "5"}) {
     const Summary run =
-        test::run_text(three_disks, {"collision.rotation_angle=0.2", "start.seed=" + seed});
+        test::run_text(kThreeDisks, {"collision.rotation_angle=0.2", "start.seed=" + seed});
     EXPECT_EQ(run.separation.hits, 0) << seed;
     EXPECT_EQ(run.contact.rotated, run.collisions) << seed;
     EXPECT_LT(run.collisions, 15) << seed;
@@ -109,7 +109,7 @@ TEST(Rotation, FollowsTheSeedAndNothingElse) {
   const auto second_collision = [](const Changes& changes) {
     Changes all{"run.collisions=2"};
     all.insert(all.end(), changes.begin(), changes.end());
-    return test::run_text(three_disks, all).time;
+    return test::run_text(kThreeDisks, all).time;
   };
   const std::string turned = "collision.rotation_angle=0.2";
   EXPECT_EQ(second_collision({"start.seed=1"}), second_collision({"start.seed=2"}));
@@ -177,10 +177,10 @@ TEST(FixedLossLaw, TakesAWholeNumberOfLossesFromACoolingGas) {
 }
 
 TEST(ContactModelsUnderShear, CloseTheEnergyLedgerEachAndTogether) {
-  Changes all = tc;
+  Changes all = kTc;
   all.insert(all.end(), kViscoelastic.begin(), kViscoelastic.end());
   all.insert(all.end(), kRotation.begin(), kRotation.end());
-  for (const Changes& changes : {tc, kViscoelastic, kRotation, kFixedLoss, all}) {
+  for (const Changes& changes : {kTc, kViscoelastic, kRotation, kFixedLoss, all}) {
     const Summary run = test::run_text(kSheared, changes);
     // 20000 collisions of ulps each, where a wrong term would be of the order 1.
     EXPECT_LT(run.ledger_error, 1e-12) << changes.front();
@@ -193,7 +193,7 @@ TEST(ContactModelsUnderShear, FollowTheSameTrajectoryInEveryPrecisionAndDimensio
        {std::pair(false, kViscoelastic), std::pair(true, kViscoelastic),
         std::pair(false, kFixedLoss), std::pair(true, kFixedLoss)}) {
     Changes changes{"system.spheres=32", "run.collisions=64"};
-    for (const Changes& more : {tc, law, kRotation}) {
+    for (const Changes& more : {kTc, law, kRotation}) {
       changes.insert(changes.end(), more.begin(), more.end());
     }
     if (is_plane) {
@@ -214,7 +214,7 @@ TEST(ContactModelsUnderShear, FollowTheSameTrajectoryInEveryPrecisionAndDimensio
 }
 
 TEST(ContactModelsUnderShear, KeepTheDissipationEqualToTheWorkInASteadyState) {
-  for (const Changes& model : {tc, kViscoelastic, kRotation, kFixedLoss}) {
+  for (const Changes& model : {kTc, kViscoelastic, kRotation, kFixedLoss}) {
     Changes changes = model;
     changes.insert(changes.end(), {"run.collisions=100000", "measure.after_time=10"});
     const auto averages = test::run_text(kSheared, changes).averages.value();
