@@ -28,10 +28,13 @@ void add_columns(const Part& part, std::vector<ResultColumn>& columns) {
   });
 }
 
-/// In every format of the store `ended_by` comes behind `outcome`, not where JSON has it.
+/// In every format of the store how a run has ended comes first, not where JSON has it.
 void put_in_order(std::vector<ResultColumn>& columns) {
-  const auto found = std::ranges::find(columns, "ended_by", &ResultColumn::name);
-  std::rotate(columns.begin() + 1, found, found + 1);
+  auto place = columns.begin();
+  for (const std::string_view name : {"outcome", "ended_by", "verdict"}) {
+    const auto found = std::ranges::find(columns, name, &ResultColumn::name);
+    std::rotate(place++, found, found + 1);
+  }
 }
 
 }  // namespace
