@@ -30,7 +30,7 @@ inline Gas gas(const GasRequest& request) {
   return Gas(box, make_start<3>(request.start, box), {.restitution = request.restitution});
 }
 
-/// The bare loop: collisions, and nobody who looks at them.
+/// The bare loop: collisions, and nothing that looks at them.
 ///
 /// \return  the velocity changes summed up, so that no record is optimised away
 inline double collide(Gas& gas, std::int64_t collisions) {

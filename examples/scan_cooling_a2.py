@@ -2,7 +2,7 @@
 """Sonine coefficient a2 of cooling spheres against density, beside a gas without correlations.
 
 Spheres of the simulator, from random places and Maxwellian velocities, and a model in which who
-meets whom, and along which direction, is left to chance, with the rate of the Enskog equation: what
+meets which, and along which direction, is left to chance, with the rate of the Enskog equation: what
 differs between the two is that velocities of spheres about to collide are correlated.
 
 Usage: scan_cooling_a2.py [RESTITUTION [KEPT.json]]

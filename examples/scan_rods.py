@@ -80,19 +80,6 @@ def collisions_until_parted(rods):
     return np.array(rows)
 
 
-def largest_restitution_with_a_hit(rods, steps=24):
-    """Where the separation criterion alone puts the threshold, by bisection."""
-    below, above = threshold(rods) * 0.9, threshold(rods) * 1.3
-    for _ in range(steps):
-        middle = (below + above) / 2
-        keys = start(rods) | {"system.restitution": middle}
-        if scanning.summary(CASE, keys)["separation"]["hits"]:
-            below = middle
-        else:
-            above = middle
-    return (below + above) / 2
-
-
 def draw(scans, path):
     """1/n^2 against e / e_c, with its straight line."""
     with scanning.drawn(path) as axes:
@@ -118,7 +105,9 @@ def main():
         rows = collisions_until_parted(rods)
         used = rows[rows[:, 1] >= 6 * rods]
         measured = extrapolated_threshold(used[:, 0], used[:, 1])
-        hit, exact = largest_restitution_with_a_hit(rods), threshold(rods)
+        exact = threshold(rods)
+        hit = scanning.largest_restitution_with_a_hit(CASE, start(rods), exact * 0.9, exact * 1.3,
+                                                      steps=24)
         print(f"{rods}  {exact:.6f}    {measured:.6f}   {measured / exact - 1:+.2%}"
               f"  {hit:.6f}              {hit / exact - 1:+.2%}   ({len(used)} of {len(ABOVE)} runs"
               f" used, n = {used[:, 1].min():.0f} to {used[:, 1].max():.0f})")

@@ -72,19 +72,6 @@ def scan(dimension):
     return np.array(rates)
 
 
-def largest_restitution_with_a_hit(dimension, direction, steps=20):
-    """Where the separation criterion puts the threshold of the exact line, by bisection."""
-    below, above = 0.06, 0.09
-    for _ in range(steps):
-        middle = (below + above) / 2
-        keys = start(dimension, 0, direction) | {"system.restitution": middle}
-        if scanning.summary(CASE, keys)["separation"]["hits"]:
-            below = middle
-        else:
-            above = middle
-    return (below + above) / 2
-
-
 def draw(scans, path):
     """ln g against e, measured in 2-D and 3-D, and exact."""
     with scanning.drawn(path) as axes:
@@ -114,7 +101,8 @@ def main():
               f" e >= {GROWING}, {parabola:.4f} by a parabola (exact {STABLE:.4f})")
     for dimension in (2, 3):
         for name, direction in (("x", None), ("diagonal", np.full(dimension, dimension**-0.5))):
-            found = largest_restitution_with_a_hit(dimension, direction)
+            found = scanning.largest_restitution_with_a_hit(
+                CASE, start(dimension, 0, direction), 0.06, 0.09, steps=20)
             print(f"{dimension}-D, exact line along {name}: separation criterion met up to"
                   f" e = {found:.5f} (exact {LINE:.5f}, {found / LINE - 1:+.2%})")
     if len(sys.argv) > 1:

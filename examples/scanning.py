@@ -53,6 +53,22 @@ def summary(case, changes, output=None):
     return _told("run", EXAMPLES / f"{case}.toml", *kept, *overrides(changes))
 
 
+def largest_restitution_with_a_hit(case, changes, below, above, steps):
+    """Where the separation criterion alone puts the threshold of a case, by bisection.
+
+    changes: keys of the case without its restitution
+    below, above: restitutions between which it lies
+    """
+    for _ in range(steps):
+        middle = (below + above) / 2
+        keys = changes | {"system.restitution": middle}
+        if summary(case, keys)["separation"]["hits"]:
+            below = middle
+        else:
+            above = middle
+    return (below + above) / 2
+
+
 def stages(case, changes, key, limits):
     """Summaries of one run as it reaches one limit after the other; fewer where it ends before.
 

@@ -16,9 +16,10 @@
 #include "start/start_file.hpp"
 #include "storage/info.hpp"
 #include "storage/integrity.hpp"
-#include "storage/output_reader.hpp"
-#include "storage/run_file.hpp"
+#include "storage/output_info.hpp"
+#include "storage/run_reader.hpp"
 #include "storage/sandboxed_read.hpp"
+#include "storage/stored_info.hpp"
 #include "verify/verify.hpp"
 
 namespace zenosphere::fuzz {
@@ -139,9 +140,8 @@ void verified_file(Bytes bytes) {
   const MemoryFile file(bytes);
   attempt([&] { to_text(verify_file(file.path()), "out.h5"); });
   const auto read_for_a_page = [&] {
-    const RunFile run(file.path());
+    const RunReader run(file.path());
     run.anatomy();
-    run.adjudication();
   };
   attempt([&] {
     sandboxed_read(file.path(), static_cast<std::int64_t>(bytes.size()), read_for_a_page);

@@ -77,7 +77,7 @@ def start(*words, folder, **options):
 
 
 class Reference:
-    """A system's case, and the output of its run that nobody disturbed."""
+    """A system's case, and the output of its run that was not disturbed."""
 
     def __init__(self, name, folder):
         self.name = name

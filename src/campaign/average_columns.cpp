@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "campaign/column_cell.hpp"
 
 namespace zenosphere {
 namespace {
@@ -43,55 +46,40 @@ Cell cell_of(const std::vector<double>& numbers, Shape shape) {
   return shape == Shape::matrix ? json_matrix(numbers) : json_row(numbers, 0, numbers.size());
 }
 
-Cell cell_of(const Observables& observables, std::string_view wanted) {
-  Cell cell;
-  Observables::fields(observables,
-                      [&](std::string_view name, const auto& member, Shape shape, Mean) {
-                        if (name == wanted) cell = cell_of(member, shape);
+/// A cell of each observable in their order; all are empty where there are no observables.
+std::vector<Cell> cells_of(const Observables* observables) {
+  std::vector<Cell> cells;
+  const Observables none;
+  Observables::fields(observables ? *observables : none,
+                      [&](const char*, const auto& member, Shape shape, Mean) {
+                        cells.push_back(observables ? cell_of(member, shape) : Cell());
                       });
-  return cell;
-}
-
-void add_observable(std::vector<ResultColumn>& columns, const std::string& name, Shape shape) {
-  const std::string type = shape == Shape::number ? "REAL" : "TEXT";
-  columns.push_back({name, type, [name](const Summary& summary) {
-                       return summary.averages ? cell_of(*summary.averages, name) : Cell();
-                     }});
-  columns.push_back({name + "_standard_error", type, [name](const Summary& summary) {
-                       const bool is_known = summary.averages && summary.averages->standard_error;
-                       return is_known ? cell_of(*summary.averages->standard_error, name) : Cell();
-                     }});
-}
-
-/// A column of the rest of the averages.
-template <class Part>
-ResultColumn averages_column(std::string name, std::string type, Part part) {
-  return {std::move(name), std::move(type), [part](const Summary& summary) {
-            return summary.averages ? Cell(part(*summary.averages)) : Cell();
-          }};
+  return cells;
 }
 
 }  // namespace
 
-std::vector<ResultColumn> average_columns() {
-  std::vector<ResultColumn> columns;
-  const Observables all;
-  Observables::fields(all, [&](const char* name, const auto&, Shape shape, Mean) {
-    add_observable(columns, name, shape);
+void add_average_columns(const std::optional<Averages>& averages,
+                         std::vector<ResultColumn>& columns) {
+  const Averages none;
+  const Averages& a = averages ? *averages : none;
+  const auto values = cells_of(averages ? &a : nullptr);
+  const auto errors = cells_of(a.standard_error ? &*a.standard_error : nullptr);
+  std::size_t n = 0;
+  Observables::fields(a, [&](const std::string& name, const auto&, Shape shape, Mean) {
+    const std::string_view type = shape == Shape::number ? "REAL" : "TEXT";
+    columns.push_back({name, type, values[n]});
+    columns.push_back({name + "_standard_error", type, errors[n++]});
   });
-  const auto add = [&](const char* name, const char* type, auto part) {
-    columns.push_back(averages_column(name, type, part));
-  };
-  add("streak_amplitude", "REAL", [](const Averages& a) { return or_null(a.streak_amplitude); });
-  add("temperature_without_streak", "REAL",
-      [](const Averages& a) { return or_null(a.temperature_without_streak); });
-  add("averages_from_time", "REAL", [](const Averages& a) { return a.from_time; });
-  add("averages_to_time", "REAL", [](const Averages& a) { return a.to_time; });
-  add("averages_blocks", "INTEGER", [](const Averages& a) { return or_null(a.blocks); });
-  add("averages_steady", "INTEGER",
-      [](const Averages& a) { return a.steady ? Cell(std::int64_t{*a.steady}) : Cell(); });
-  add("averages_steady_reason", "TEXT", [](const Averages& a) { return a.steady_reason; });
-  return columns;
+  std::vector<ResultColumn> remarks;
+  Averages::remarks(a, [&](const Field& field, const auto& member) {
+    remarks.push_back(column_of(field, member));
+    if (!averages) remarks.back().cell = {};
+  });
+  // In every format of the store those of the flow come first.
+  std::ranges::stable_partition(
+      remarks, [](const ResultColumn& column) { return !column.name.starts_with("averages_"); });
+  columns.insert(columns.end(), remarks.begin(), remarks.end());
 }
 
 }  // namespace zenosphere

@@ -8,6 +8,7 @@
 
 #include "campaign/grid_check.hpp"
 #include "campaign/grid_rows.hpp"
+#include "campaign/run_columns.hpp"
 #include "campaign/seeds.hpp"
 
 namespace zenosphere {
@@ -109,11 +110,11 @@ void BoundaryRounds::learn() {
   const std::string met = sweep_.boundary->criterion == BoundaryRequest::Criterion::arrest
                               ? "arrest_met = 1"
                               : "separation_hits > 0";
-  Statement query =
-      database_.statement(fmt::format("SELECT run, point, replica, status = 'done' AND ended_by IS "
-                                      "NOT 'wall time', coalesce({}, 0), \"{}\" FROM run "
-                                      "WHERE run >= ? ORDER BY run",
-                                      met, sweep_.axes.back().path()));
+  Statement query = database_.statement(
+      fmt::format("SELECT run, point, replica, status = 'done' AND ended_by IS "
+                  "NOT {}, coalesce({}, 0), \"{}\" FROM run "
+                  "WHERE run >= ? ORDER BY run",
+                  sql_word(EndedBy::wall_time), met, sweep_.axes.back().path()));
   query.start(std::array<Cell, 1>{next_run_});
   const auto integer = [&](int column) { return integer_in(query.cell(column), database_.name()); };
   while (query.step()) {

@@ -8,6 +8,7 @@
 
 #include "campaign/boundary_rounds.hpp"
 #include "campaign/run_case.hpp"
+#include "campaign/run_columns.hpp"
 #include "run/run.hpp"
 
 namespace zenosphere {
@@ -94,11 +95,12 @@ struct Left {
 
 Left left_in(Database& database) {
   Left left;
-  Statement points = database.statement(
+  Statement points = database.statement(fmt::format(
       "SELECT min(CASE WHEN status = 'pending' THEN run END), sum(status = 'pending'), "
       "avg(CASE WHEN status = 'done' THEN wall_seconds END), sum(status = 'done') >= 3 OR "
-      "max(status = 'done' AND ended_by IN ('collisions', 'time')) FROM run GROUP BY point "
-      "HAVING sum(status = 'pending') > 0");
+      "max(status = 'done' AND ended_by IN ({}, {})) FROM run GROUP BY point HAVING "
+      "sum(status = 'pending') > 0",
+      sql_word(EndedBy::collisions), sql_word(EndedBy::time)));
   while (points.step()) {
     const std::int64_t pending = integer_in(points.cell(1), database.name());
     const Cell mean = points.cell(2);

@@ -2,73 +2,54 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "campaign/average_columns.hpp"
+#include "campaign/column_cell.hpp"
 #include "storage/build_info.hpp"
 
 namespace zenosphere {
 namespace {
 
-Cell arrest_pairs(const Summary& summary) {
-  std::string text;
-  for (const auto& [i, j] : summary.arrest.pairs) {
-    text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", i, j);
+/// Adds the columns of the fields of a part, and of the parts in it.
+template <HasFields Part>
+void add_columns(const Part& part, std::vector<ResultColumn>& columns) {
+  Part::fields(part, [&]<class T>(const Field& field, const T& member) {
+    if constexpr (std::is_same_v<T, std::optional<Averages>>) {
+      add_average_columns(member, columns);
+    } else if constexpr (has_column_type<T>) {
+      if (field.column) columns.push_back(column_of(field, member));
+    } else if constexpr (HasFields<T>) {
+      add_columns(member, columns);
+    }
+  });
+}
+
+/// In every format of the store how a run has ended comes first, not where JSON has it.
+void put_in_order(std::vector<ResultColumn>& columns) {
+  auto place = columns.begin();
+  for (const std::string_view name : {"outcome", "ended_by", "verdict"}) {
+    const auto found = std::ranges::find(columns, name, &ResultColumn::name);
+    std::rotate(place++, found, found + 1);
   }
-  return '[' + text + ']';
-}
-
-std::vector<ResultColumn> columns_of_collapse() {
-  return {
-      {"outcome", "TEXT", [](const Summary& s) -> Cell { return word(s.outcome); }},
-      {"ended_by", "TEXT", [](const Summary& s) -> Cell { return word(s.ended_by); }},
-      {"verdict", "TEXT", [](const Summary& s) -> Cell { return word(s.verdict); }},
-      {"collisions", "INTEGER", [](const Summary& s) -> Cell { return s.collisions; }},
-      {"collisions_per_sphere", "REAL",
-       [](const Summary& s) -> Cell { return s.collisions_per_sphere; }},
-      {"time", "REAL", [](const Summary& s) -> Cell { return s.time; }},
-      {"strain", "REAL", [](const Summary& s) -> Cell { return s.strain; }},
-      {"separation_hits", "INTEGER", [](const Summary& s) -> Cell { return s.separation.hits; }},
-      {"separation_first_collision", "INTEGER",
-       [](const Summary& s) { return or_null(s.separation.first_collision); }},
-      {"separation_first_time", "REAL",
-       [](const Summary& s) { return or_null(s.separation.first_time); }},
-      {"separation_last_collision", "INTEGER",
-       [](const Summary& s) { return or_null(s.separation.last_collision); }},
-      {"arrest_met", "INTEGER",
-       [](const Summary& s) -> Cell { return std::int64_t{s.arrest.met ? 1 : 0}; }},
-      {"arrest_collision", "INTEGER", [](const Summary& s) { return or_null(s.arrest.collision); }},
-      {"arrest_time", "REAL", [](const Summary& s) { return or_null(s.arrest.time); }},
-      {"arrest_window", "INTEGER", [](const Summary& s) -> Cell { return s.arrest.window; }},
-      {"arrest_pairs", "TEXT", arrest_pairs},
-      {"absorbed", "INTEGER", [](const Summary& s) -> Cell { return s.absorbed; }},
-  };
-}
-
-std::vector<ResultColumn> columns_of_program() {
-  return {
-      {"ledger_error", "REAL", [](const Summary& s) -> Cell { return s.ledger_error; }},
-      {"wall_seconds", "REAL", [](const Summary& s) -> Cell { return s.wall_seconds; }},
-      {"program_version", "TEXT",
-       [](const Summary&) -> Cell { return std::string(build_info::program_version); }},
-      {"git_hash", "TEXT",
-       [](const Summary&) -> Cell { return std::string(build_info::git_hash); }},
-  };
-}
-
-std::vector<ResultColumn> all_columns() {
-  std::vector<ResultColumn> columns = columns_of_collapse();
-  for (auto&& more : {average_columns(), columns_of_program()}) {
-    columns.insert(columns.end(), more.begin(), more.end());
-  }
-  return columns;
 }
 
 }  // namespace
 
+std::vector<ResultColumn> result_columns(const Summary& summary) {
+  std::vector<ResultColumn> columns;
+  add_columns(summary, columns);
+  put_in_order(columns);
+  columns.push_back({"program_version", "TEXT", std::string(build_info::program_version)});
+  columns.push_back({"git_hash", "TEXT", std::string(build_info::git_hash)});
+  return columns;
+}
+
 std::span<const ResultColumn> result_columns() {
-  static const std::vector<ResultColumn> columns = all_columns();
+  static const std::vector<ResultColumn> columns = result_columns(Summary());
   return columns;
 }
 

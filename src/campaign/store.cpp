@@ -72,11 +72,11 @@ RunCounts run_counts(Database& database, const StoredSweep& sweep) {
 StoredRuns::StoredRuns(Database& database, const StoredSweep& sweep)
     : name_(database.name()),
       keys_(keys_of(sweep)),
-      pending_(database.statement(
-          fmt::format("SELECT run, seed{}, status, CASE ended_by WHEN 'wall time' THEN collisions "
-                      "END FROM run WHERE run >= ? AND (status = 'pending' OR {}) ORDER BY run "
-                      "LIMIT ?",
-                      axis_columns(keys_), waits_for_adjudication(sweep)))),
+      pending_(database.statement(fmt::format(
+          "SELECT run, seed{}, status, CASE ended_by WHEN {} THEN collisions "
+          "END FROM run WHERE run >= ? AND (status = 'pending' OR {}) ORDER BY run "
+          "LIMIT ?",
+          axis_columns(keys_), sql_word(EndedBy::wall_time), waits_for_adjudication(sweep)))),
       single_(database.statement(
           fmt::format("SELECT run, seed{} FROM run WHERE run = ?", axis_columns(keys_)))),
       highest_(database.statement("SELECT max(run) FROM run")) {}
@@ -180,7 +180,9 @@ void SweepStore::record(const RunResult& result) {
   }
   if (const auto* summary = std::get_if<Summary>(&result.outcome)) {
     cells_.clear();
-    for (const ResultColumn& column : result_columns()) cells_.push_back(column.cell(*summary));
+    for (ResultColumn& column : result_columns(*summary)) {
+      cells_.push_back(std::move(column.cell));
+    }
     cells_.emplace_back(result.run);
     done_->run(cells_);
   }

@@ -17,7 +17,7 @@
 #include "run/adjudicate.hpp"
 #include "storage/integrity.hpp"
 #include "storage/keep_adjudication.hpp"
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 
 namespace zenosphere {
 

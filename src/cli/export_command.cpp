@@ -1,5 +1,5 @@
 #include <CLI/CLI.hpp>
-#include <map>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,18 +18,23 @@ namespace zenosphere {
 
 namespace {
 
-const std::map<std::string, ExportFormat> formats{
-    {"extxyz", ExportFormat::extended_xyz},
-    {"lammps", ExportFormat::lammps},
-    {"vtp", ExportFormat::vtk},
-    {"csv-observables", ExportFormat::csv_observables},
-    {"csv-collisions", ExportFormat::csv_collisions},
-    {"csv-series", ExportFormat::csv_series}};
-
 std::vector<std::string> names_of_formats() {
   std::vector<std::string> names;
-  for (const auto& [name, format] : formats) names.push_back(name);
+  for (const ExportFormat& format : export_formats()) names.emplace_back(format.word);
+  std::sort(names.begin(), names.end());
   return names;
+}
+
+/// `extxyz (OVITO, ASE), lammps (...) or ...`
+std::string help_on_formats() {
+  std::string text;
+  const auto formats = export_formats();
+  for (const ExportFormat& format : formats) {
+    if (!text.empty()) text += &format == &formats.back() ? " or " : ", ";
+    text += format.word;
+    if (!format.read_by.empty()) text += " (" + std::string(format.read_by) + ')';
+  }
+  return text;
 }
 
 /// What the user typed.
@@ -46,7 +51,7 @@ int export_output(const ExportArguments& arguments) {
   require_name(arguments.target);
   const Export request{.run = arguments.file,
                        .target = arguments.target,
-                       .format = formats.at(arguments.format),
+                       .format = export_format(arguments.format),
                        .selection = arguments.selection,
                        .existing = arguments.overwrite ? Existing::replace : Existing::refuse,
                        .interrupt = &catch_signals()};
@@ -79,11 +84,7 @@ void add_export(CLI::App& app, int& status) {
   command.add_option("file", arguments->file, "output file of a run")
       ->required()
       ->type_name("OUT.h5");
-  command
-      .add_option(
-          "--format", arguments->format,
-          "extxyz (OVITO, ASE), lammps (OVITO, VMD, MDAnalysis, ASE), vtp (ParaView: NAME.pvd "
-          "and a folder of frames), csv-observables, csv-collisions or csv-series (tables)")
+  command.add_option("--format", arguments->format, help_on_formats())
       ->required()
       ->check(one_of("--format", names_of_formats()))
       ->type_name("FORMAT");

@@ -35,10 +35,10 @@ class CollapseTime {
     // First what seldom holds: the others do for every second flight, which no processor foresees.
     const bool is_alike = change <= ratio / 1000 && flight_ > shortest && ratio > 0 && ratio < 1;
     alike_ = is_alike ? alike_ + 1 : 0;
-    if (alike_ < kAlike) return;
+    if (alike_ < least_alike) return;
     // At the end of a series rounding eats into the flights: what they told before was better.
     const Real error = flight_ * (change + std::numeric_limits<Real>::epsilon());
-    if (alike_ > kAlike && error > error_) return;
+    if (alike_ > least_alike && error > error_) return;
     error_ = error;
     time_ = exactly_since_start(collision.time, clock_unit_) + flight_ * ratio / (1 - ratio);
     shrinking_ = ratio;
@@ -52,12 +52,12 @@ class CollapseTime {
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.flight_, self.ratio_, self.alike_, self.error_, self.time_, self.shrinking_);
-    require_archived(self.alike_ >= 0 && self.alike_ <= kMostAlike, "a count that there is not");
+    require_archived(self.alike_ >= 0 && self.alike_ <= most_alike, "a count that there is not");
   }
 
  private:
-  static constexpr int kMostAlike = 1 << 30;  // a geometric series leaves double sooner
-  static constexpr int kAlike = 4;            // comparisons of ratios: five ratios, six flights
+  static constexpr int most_alike = 1 << 30;  // a geometric series leaves double sooner
+  static constexpr int least_alike = 4;       // comparisons of ratios: five ratios, six flights
 
   Real clock_unit_;
   Real flight_ = 0;

@@ -12,9 +12,9 @@ namespace zenosphere {
 
 namespace {
 
-constexpr std::size_t kMost = 64;          // points: the beginning is not yet geometric
-constexpr std::size_t kLeastSlopes = 5;    // three in line would already look like a law
-constexpr std::size_t kMostEstimates = 4;  // of the collapse time
+constexpr std::size_t most_points = 64;    // points: the beginning is not yet geometric
+constexpr std::size_t least_slopes = 5;    // three in line would already look like a law
+constexpr std::size_t most_estimates = 4;  // of the collapse time
 
 /// A number that may be anywhere below the range of double becomes its logarithm.
 template <class Real>
@@ -45,7 +45,8 @@ class Slope {
   }
 
   std::optional<DecayRate> rate() const {
-    const auto last = points_.end() - static_cast<std::ptrdiff_t>(std::min(points_.size(), kMost));
+    const auto last =
+        points_.end() - static_cast<std::ptrdiff_t>(std::min(points_.size(), most_points));
     std::vector<double> slopes;
     for (auto one = last; one < points_.end(); ++one) {
       for (auto other = one + 1; other < points_.end(); ++other) {
@@ -53,7 +54,7 @@ class Slope {
         slopes.push_back((other->logarithm - one->logarithm) / (other->place - one->place));
       }
     }
-    if (slopes.size() < kLeastSlopes) return std::nullopt;
+    if (slopes.size() < least_slopes) return std::nullopt;
     const double half_range = (quantile(slopes, 0.75) - quantile(slopes, 0.25)) / 2;
     const double ratio = std::exp(quantile(slopes, 0.5));
     return DecayRate{ratio, ratio * half_range};
@@ -107,7 +108,7 @@ class Cycles {
     decay.flight = flight_.rate();
     const std::vector<Real>& ends = measured_ends_.empty() ? ends_ : measured_ends_;
     if (ends.empty()) return decay;
-    const auto last = static_cast<std::ptrdiff_t>(std::min(ends.size(), kMostEstimates));
+    const auto last = static_cast<std::ptrdiff_t>(std::min(ends.size(), most_estimates));
     const auto [low, high] = std::minmax_element(ends.end() - last, ends.end());
     decay.collapse_time_after = static_cast<double>(ends.back());
     decay.collapse_time_error = static_cast<double>(*high - *low);

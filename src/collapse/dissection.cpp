@@ -21,10 +21,11 @@ bool is_possible(const Cluster& cluster, int dimension, std::int32_t spheres) {
 }
 
 bool has_whole_rows(const ClusterCollisions& rows) {
-  const auto is_as_long = [&](const auto&... columns) {
-    return ((columns.size() == rows.k.size()) && ...);
-  };
-  return is_as_long(rows.time, rows.i, rows.j, rows.gap, rows.normal_speed, rows.flight);
+  bool are_equal = true;
+  ClusterCollisions::fields(rows, [&](const char*, const auto& column) {
+    are_equal = are_equal && column.size() == rows.k.size();
+  });
+  return are_equal;
 }
 
 }  // namespace

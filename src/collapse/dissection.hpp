@@ -47,9 +47,21 @@ struct ClusterCollisions {
   std::vector<double> normal_speed;  ///< diameters/time
   std::vector<double> flight;        ///< time
 
+  /// Calls `visit(name, column)` for each column.
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("k", self.k);
+    visit("time", self.time);
+    visit("i", self.i);
+    visit("j", self.j);
+    visit("gap", self.gap);
+    visit("normal_speed", self.normal_speed);
+    visit("flight", self.flight);
+  }
+
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.k, self.time, self.i, self.j, self.gap, self.normal_speed, self.flight);
+    fields(self, [&](const char*, auto& column) { archive(column); });
   }
 };
 

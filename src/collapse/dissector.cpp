@@ -13,7 +13,7 @@ namespace zenosphere {
 namespace {
 
 /// Twice could be chance: a pair that parts slowly is sent together again by its neighbours.
-constexpr std::int64_t kRepeated = 3;
+constexpr std::int64_t fewest_repeats = 3;
 
 template <int Dim, class Real>
 Vec<Dim, double> in_double(const Vec<Dim, Real>& vector) {
@@ -127,7 +127,7 @@ typename Dissector<Dim, Real>::Contacts Dissector<Dim, Real>::contacts_of(
     contacts.normals[pair] = in_double(traces[n].normal);
   }
   for (const auto& [pair, count] : counts) {
-    if (count < kRepeated) continue;
+    if (count < fewest_repeats) continue;
     add(pair, contacts);
     contacts.counts[pair] = count;
   }

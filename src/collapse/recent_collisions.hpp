@@ -40,13 +40,13 @@ class RecentCollisions {
   /// \param threshold   gap in diameters
   /// \param clock_unit  of the simulation's clock
   RecentCollisions(const Real& threshold, const Real& clock_unit)
-      : threshold_(threshold), clock_unit_(clock_unit), traces_(2 * kKept) {}
+      : threshold_(threshold), clock_unit_(clock_unit), traces_(2 * most_kept) {}
 
   void observe(const Collision<Dim, Real>& collision) {
     const bool goes_on = length_ > 0 && collision.gap_before <= threshold_ &&
                          !(elapsed(start_, collision.time, clock_unit_) > 0);
     if (!goes_on) begin_stretch(collision.time);
-    Trace& trace = slot(length_ < kKept ? end_++ : first_ + length_ % kKept);
+    Trace& trace = slot(length_ < most_kept ? end_++ : first_ + length_ % most_kept);
     ++length_;
     trace.number = collision.number;
     trace.time = collision.time;
@@ -60,7 +60,7 @@ class RecentCollisions {
   bool is_empty() const { return end_ == 0; }
 
   /// How many of the traces lie before the last stretch.
-  std::size_t before_stretch() const { return first_ < kKept ? first_ : kKept; }
+  std::size_t before_stretch() const { return first_ < most_kept ? first_ : most_kept; }
 
   /// All that is kept, in order; numbers may be left out before or within the last stretch.
   std::vector<Trace> traces() const {
@@ -76,29 +76,29 @@ class RecentCollisions {
   static void archive_state(Self& self, Archive& archive) {
     archive(self.first_, self.end_, self.length_, self.start_);
     const bool is_possible = self.first_ <= self.end_ && self.end_ <= std::size_t{most_counted} &&
-                             self.end_ - self.first_ == std::min(self.length_, kKept);
+                             self.end_ - self.first_ == std::min(self.length_, most_kept);
     require_archived(is_possible, "collisions that cannot have been kept");
     // Slots are used from the first one on.
-    for (std::size_t n = 0; n < std::min(self.end_, 2 * kKept); ++n) archive(self.traces_[n]);
+    for (std::size_t n = 0; n < std::min(self.end_, 2 * most_kept); ++n) archive(self.traces_[n]);
   }
 
  private:
-  static constexpr std::size_t kKept = 1024;  // of each kind: together 150 KB in double
+  static constexpr std::size_t most_kept = 1024;  // of each kind: together 150 KB in double
 
-  Trace& slot(std::size_t place) { return traces_[place % (2 * kKept)]; }
-  const Trace& slot(std::size_t place) const { return traces_[place % (2 * kKept)]; }
+  Trace& slot(std::size_t place) { return traces_[place % (2 * most_kept)]; }
+  const Trace& slot(std::size_t place) const { return traces_[place % (2 * most_kept)]; }
 
   /// The last stretch, in order: a long one has gone round in its half.
   std::vector<Trace> stretch() const {
     std::vector<Trace> all;
-    const std::size_t oldest = length_ > kKept ? length_ % kKept : 0;
+    const std::size_t oldest = length_ > most_kept ? length_ % most_kept : 0;
     const std::size_t kept = end_ - first_;
     for (std::size_t n = 0; n < kept; ++n) all.push_back(slot(first_ + (oldest + n) % kept));
     return all;
   }
 
   void begin_stretch(const Instant<Real>& start) {
-    if (length_ > kKept) {
+    if (length_ > most_kept) {
       const std::vector<Trace> in_order = stretch();
       for (std::size_t n = 0; n < in_order.size(); ++n) slot(first_ + n) = in_order[n];
     }

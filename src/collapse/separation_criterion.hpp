@@ -5,8 +5,29 @@
 #include <optional>
 
 #include "model/collision.hpp"
+#include "model/field.hpp"
 
 namespace zenosphere {
+
+/// How often the separation criterion was met, and when. Times since the start.
+struct SeparationResult {
+  std::int64_t hits = 0;
+  std::optional<std::int64_t> first_collision;
+  std::optional<double> first_time;
+  std::optional<std::int64_t> last_collision;
+  std::optional<double> last_time;  ///< absent from files of older versions
+  double longest_pause = 0;         ///< the longest time between two hits; 0: there are not two
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(Field{"hits", "separation_hits"}, self.hits);
+    visit(Field{"first_collision", "separation_first_collision"}, self.first_collision);
+    visit(Field{"first_time", "separation_first_time"}, self.first_time);
+    visit(Field{"last_collision", "separation_last_collision"}, self.last_collision);
+    visit(Field{.name = "last_time", .may_lack = true}, self.last_time);
+    visit(Field{.name = "longest_pause", .may_lack = true}, self.longest_pause);
+  }
+};
 
 /// The traditional criterion: after a collision, the pair that will collide next is closer, now,
 /// than a threshold.
@@ -51,8 +72,16 @@ class SeparationCriterion {
   std::optional<std::int64_t> last_collision() const { return last_collision_; }
   std::optional<double> last_time() const { return last_time_; }
 
-  /// The longest time between two hits; 0 where there is one or none.
-  double longest_pause() const { return longest_pause_; }
+  SeparationResult result() const {
+    SeparationResult result;
+    result.hits = hits_;
+    result.first_collision = first_collision_;
+    result.last_collision = last_collision_;
+    result.last_time = last_time_;
+    result.longest_pause = longest_pause_;
+    if (first_time_) result.first_time = static_cast<double>(*first_time_);
+    return result;
+  }
 
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {

@@ -27,6 +27,7 @@ inline constexpr std::array verdict_words{
     Word{"none", Verdict::none}, Word{"temporary", Verdict::temporary}, Word{"open", Verdict::open},
     Word{"true", Verdict::arrested}};
 
+constexpr const auto& words_of(Verdict) { return verdict_words; }
 inline const char* word(Verdict verdict) { return word_in(verdict_words, verdict); }
 
 /// A run, as far as a verdict depends on it.

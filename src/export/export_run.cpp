@@ -9,14 +9,12 @@
 #include "case/case_box.hpp"
 #include "case/case_file.hpp"
 #include "case/case_grains.hpp"
-#include "export/extended_xyz_frame.hpp"
-#include "export/lammps_dump.hpp"
 #include "export/sphere_collisions.hpp"
 #include "export/tables.hpp"
 #include "export/vtk_frame.hpp"
 #include "model/errors.hpp"
 #include "storage/new_file.hpp"
-#include "storage/recorded_run.hpp"
+#include "storage/run_reader.hpp"
 #include "storage/sandboxed_read.hpp"
 #include "storage/text_target.hpp"
 #include "text/counted.hpp"
@@ -26,23 +24,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the format has a place for how often each sphere has collided.
-bool shows_spheres(ExportFormat format) { return format < ExportFormat::csv_observables; }
-
 /// Reads once all that will be read.
 void read_everything(const Export& request) {
-  const RecordedRun run(request.run);
-  if (request.format == ExportFormat::csv_series) return void(run.series());
-  if (request.format != ExportFormat::csv_collisions) {
+  const RunReader run(request.run);
+  const Exports content = request.format->content;
+  if (content == Exports::series) return void(run.series());
+  if (content != Exports::collisions) {
     const auto numbers = selected_snapshots(request.selection, run.snapshots(), request.run);
     for (std::int64_t n = numbers.first; n <= numbers.last; n += numbers.step) run.snapshot(n);
   }
-  if (request.format == ExportFormat::csv_observables) return;
-  for (std::int64_t n = 0; n < run.log_pieces(); ++n) run.log_piece(n);
+  if (content != Exports::collisions && !request.format->shows_spheres) return;
+  run.for_each_row([](const CollisionRow&) {});
 }
 
 /// The case of a run, if it is that of its data.
-Case case_of(const RecordedRun& run, const fs::path& path) {
+Case case_of(const RunReader& run, const fs::path& path) {
   Case values = parse_case(run.info().resolved_case, path.string() + ", its case", {});
   const OutputInfo& info = run.info();
   if (values.system.spheres == info.spheres && values.system.dimension == info.dimension) {
@@ -83,30 +79,21 @@ class Exporter {
         grains_(grains_of(values_)) {
     for (const Species& species : values_.species) species_.push_back(species.name);
     exported_.spheres = run_.info().spheres;
-    exported_.complete = run_.info().complete;
+    exported_.complete = run_.info().has_ended();
   }
 
   Exported go() {
-    switch (request_.format) {
-      case ExportFormat::extended_xyz:
-        write_frames("", append_extended_xyz);
+    switch (request_.format->content) {
+      case Exports::frames:
+        write_frames();
         break;
-      case ExportFormat::lammps:
-        write_frames("", append_lammps_dump);
-        break;
-      case ExportFormat::csv_observables:
-        write_frames(observables_header(values_.system.dimension, is_rough(values_)),
-                     [&](NewFile& file, const Frame& frame) {
-                       file.write(observables_row(frame, values_.drive.shear_rate));
-                     });
-        break;
-      case ExportFormat::vtk:
+      case Exports::collection_of_frames:
         write_collection();
         break;
-      case ExportFormat::csv_collisions:
+      case Exports::collisions:
         write_collisions();
         break;
-      case ExportFormat::csv_series:
+      case Exports::series:
         write_series();
         break;
     }
@@ -124,6 +111,7 @@ class Exporter {
     frame.grains = &grains_;
     frame.species = species_;
     frame.reduced_inertia = reduced_moment_of_inertia(values_);
+    frame.shear_rate = values_.drive.shear_rate;
     require_numbers(frame.snapshot, frame.dimension, request_.run);
     frame.cell = cell_of(frame.snapshot, frame.dimension, closed_axis(values_), request_.run);
     if (exported_.collisions_are_counted) frame.collisions = counts_->up_to(frame.snapshot.step);
@@ -135,7 +123,7 @@ class Exporter {
   bool for_each_frame(Action action) {
     const Numbers numbers = selected_snapshots(request_.selection, run_.snapshots(), request_.run);
     const std::int64_t last = numbers.last - (numbers.last - numbers.first) % numbers.step;
-    if (shows_spheres(request_.format)) counts_.emplace(run_, request_.run);
+    if (request_.format->shows_spheres) counts_.emplace(run_, request_.run);
     exported_.collisions_are_counted = counts_ && counts_->reaches(run_.snapshot(last).step);
     for (std::int64_t n = numbers.first; n <= last; n += numbers.step) {
       if (is_interrupted()) return false;
@@ -161,11 +149,15 @@ class Exporter {
   }
 
   /// All frames in one file.
-  template <class Append>
-  void write_frames(const std::string& header, Append append) {
+  void write_frames() {
+    const ExportFormat& format = *request_.format;
     TextTarget target(request_.target, request_.existing);
-    target.file().write(header);
-    if (for_each_frame([&](const Frame& frame) { append(target.file(), frame); })) target.finish();
+    if (format.header) {
+      target.file().write(format.header(values_.system.dimension, is_rough(values_)));
+    }
+    const bool is_whole =
+        for_each_frame([&](const Frame& frame) { format.append(target.file(), frame); });
+    if (is_whole) target.finish();
   }
 
   void write_collisions() {
@@ -224,7 +216,7 @@ class Exporter {
   }
 
   const Export& request_;
-  RecordedRun run_;
+  RunReader run_;
   Case values_;
   Grains<double> grains_;
   std::vector<std::string> species_;
@@ -239,25 +231,20 @@ void require_fitting_target(const Export& request) {
       (identity == identity_of(request.run) || identity == identity_of(journal_of(request.run)))) {
     throw OutputError(request.target.string() + ": is the run itself; choose another name");
   }
-  if (request.format != ExportFormat::vtk || request.target.extension() == ".pvd") return;
+  if (request.format->content != Exports::collection_of_frames ||
+      request.target.extension() == ".pvd")
+    return;
   throw InputError(fmt::format(
       "{}: has not the name of a collection (format vtp writes NAME.pvd, and a file for each "
       "snapshot in NAME-frames); choose one that ends in .pvd",
       request.target.string()));
 }
 
-std::int64_t bytes_of(const fs::path& path) {
-  std::error_code failure;
-  const auto bytes = fs::file_size(path, failure);
-  return failure ? 0 : static_cast<std::int64_t>(bytes);
-}
-
 }  // namespace
 
 Exported export_run(const Export& request) {
   require_fitting_target(request);
-  sandboxed_read(request.run, bytes_of(request.run) + bytes_of(journal_of(request.run)),
-                 [&] { read_everything(request); });
+  sandboxed_read(request.run, bytes_of_run(request.run), [&] { read_everything(request); });
   return Exporter(request).go();
 }
 
@@ -267,15 +254,15 @@ std::string to_text(const Exported& exported, const Export& request) {
     return request.target.string() + (is_stream ? ": interrupted, what was written is cut off\n"
                                                 : ": interrupted, nothing was written\n");
   }
-  const bool has_rows = request.format == ExportFormat::csv_collisions;
-  const bool has_series = request.format == ExportFormat::csv_series;
+  const bool has_rows = request.format->content == Exports::collisions;
+  const bool has_series = request.format->content == Exports::series;
   std::string text = fmt::format("{}: {} of {}\n", request.target.string(),
                                  counted(exported.written, has_series ? "interval"
                                                            : has_rows ? "collision"
                                                                       : "snapshot"),
                                  counted(exported.spheres, "sphere"));
   if (!exported.complete) text += "  the run has not ended: up to its last checkpoint\n";
-  if (shows_spheres(request.format) && !exported.collisions_are_counted) {
+  if (request.format->shows_spheres && !exported.collisions_are_counted) {
     text +=
         "  without the collisions of each sphere: the log does not hold all of them from the "
         "first on\n";

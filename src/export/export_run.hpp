@@ -5,18 +5,17 @@
 #include <filesystem>
 #include <string>
 
+#include "export/formats.hpp"
 #include "export/selection.hpp"
 #include "storage/atomic_file.hpp"
 
 namespace zenosphere {
 
-enum class ExportFormat { extended_xyz, lammps, vtk, csv_observables, csv_collisions, csv_series };
-
 /// What the user asks for.
 struct Export {
   std::filesystem::path run;     ///< output file
-  std::filesystem::path target;  ///< what is written; the .pvd file for ExportFormat::vtk
-  ExportFormat format = ExportFormat::extended_xyz;
+  std::filesystem::path target;  ///< what is written; the .pvd file of a collection
+  const ExportFormat* format = nullptr;
   Selection selection{};
   Existing existing = Existing::refuse;
   const std::atomic<bool>* interrupt = nullptr;  ///< ends it, with nothing written, once true

@@ -24,6 +24,7 @@ struct Frame {
   const Grains<double>* grains = nullptr;  ///< what the spheres are; null: unit spheres
   std::span<const std::string> species{};  ///< names of their kinds
   double reduced_inertia = 0;              ///< q = 4 I / (m s^2) of rough spheres
+  double shear_rate = 0;                   ///< of the imposed profile, 1/time
 
   std::int64_t spheres() const {
     return static_cast<std::int64_t>(snapshot.positions.size()) / dimension;

@@ -8,7 +8,7 @@ namespace zenosphere {
 namespace {
 
 /// How many collisions from the first one on a log holds, if it lacks none between its ends.
-std::int64_t reach_of(const RecordedRun& run) {
+std::int64_t reach_of(const RunReader& run) {
   const std::int64_t pieces = run.log_pieces();
   if (pieces == 0) return 0;
   const auto first = run.log_piece(0);
@@ -18,7 +18,7 @@ std::int64_t reach_of(const RecordedRun& run) {
 
 }  // namespace
 
-SphereCollisions::SphereCollisions(const RecordedRun& run, const std::filesystem::path& path)
+SphereCollisions::SphereCollisions(const RunReader& run, const std::filesystem::path& path)
     : run_(run),
       path_(path),
       reach_(reach_of(run)),

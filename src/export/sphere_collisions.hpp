@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "storage/recorded_run.hpp"
+#include "storage/run_reader.hpp"
 
 namespace zenosphere {
 
@@ -14,7 +14,7 @@ class SphereCollisions {
  public:
   /// \param run   outlives this
   /// \param path  of its output file, for messages
-  SphereCollisions(const RecordedRun& run, const std::filesystem::path& path);
+  SphereCollisions(const RunReader& run, const std::filesystem::path& path);
 
   /// Whether the log holds every collision up to `step`.
   bool reaches(std::int64_t step) const { return step <= reach_; }
@@ -29,7 +29,7 @@ class SphereCollisions {
   void count(const CollisionRow& row);
   void read_piece();
 
-  const RecordedRun& run_;
+  const RunReader& run_;
   std::filesystem::path path_;
   std::int64_t reach_ = 0;  ///< collisions from the first on that the log holds
   std::int64_t done_ = 0;   ///< collisions counted

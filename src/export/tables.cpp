@@ -3,52 +3,26 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <string_view>
+
+#include "storage/snapshot_motion.hpp"
 
 namespace zenosphere {
 namespace {
 
-/// Sums over the mobile spheres of a frame, of their velocities relative to the profile, by mass.
-struct Sums {
-  std::array<double, 3> squares{};  ///< of each component
-  double shear = 0;                 ///< x times y component
-  double fastest = 0;               ///< largest square of a speed
-  double turning = 0;               ///< moment of inertia times square of the angular velocity
-  double mobile = 0;                ///< spheres that count
-};
-
-/// I w^2.
-double turning_energy(const Frame& frame, std::int64_t i) {
-  const auto [x, y, z] = frame.spin(i);
-  return frame.reduced_inertia * frame.mass(i) * frame.radius(i) * frame.radius(i) *
-         (x * x + y * y + z * z);
-}
-
-Sums sums_of(const Frame& frame, double shear_rate) {
-  Sums sums;
+/// Sum of I w^2 over the mobile spheres.
+double turning_of(const Frame& frame) {
+  double sum = 0;
   for (std::int64_t i = 0; i < frame.spheres(); ++i) {
     if (frame.is_immobile(i)) continue;
-    const double mass = frame.mass(i);
-    ++sums.mobile;
-    if (frame.has_spins()) sums.turning += turning_energy(frame, i);
-    std::array<double, 3> velocity = frame.velocity(i);
-    if (frame.dimension > 1) {
-      velocity[0] -= shear_rate * (frame.position(i)[1] - frame.cell.sides[1] / 2);
-    }
-    double square = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double part = velocity[axis] * velocity[axis];
-      sums.squares[axis] += mass * part;
-      square += part;
-    }
-    sums.shear += mass * velocity[0] * velocity[1];
-    sums.fastest = std::max(sums.fastest, square);
+    const auto [x, y, z] = frame.spin(i);
+    sum += frame.reduced_inertia * frame.mass(i) * frame.radius(i) * frame.radius(i) *
+           (x * x + y * y + z * z);
   }
-  return sums;
+  return sum;
 }
 
 std::string component_text(const RecordedSeries::Column& column, std::size_t component) {
@@ -76,23 +50,26 @@ std::string observables_header(int dimension, bool turns) {
   return text + ",fastest\n";
 }
 
-std::string observables_row(const Frame& frame, double shear_rate) {
-  const Sums sums = sums_of(frame, shear_rate);
+void append_observables(NewFile& file, const Frame& frame) {
+  const Grains<double> alike;
+  const SnapshotMotion motion = motion_of(frame.snapshot, frame.dimension, frame.shear_rate,
+                                          frame.grains ? *frame.grains : alike);
   const auto spheres = static_cast<double>(frame.spheres());
-  const double all = sums.squares[0] + sums.squares[1] + sums.squares[2];
   std::string text = fmt::format("{},{},{},{},{}", frame.number, frame.snapshot.step,
                                  2 * static_cast<double>(frame.snapshot.step) / spheres,
-                                 frame.snapshot.time, shear_rate * frame.snapshot.time);
+                                 frame.snapshot.time, frame.shear_rate * frame.snapshot.time);
   if (frame.dimension > 1) text += fmt::format(",{}", frame.cell.tilt);
-  text += fmt::format(",{}", all / (sums.mobile * frame.dimension));
+  text += fmt::format(",{}", motion.granular_temperature(frame.dimension));
   for (int axis = 0; axis < frame.dimension; ++axis) {
-    text += fmt::format(",{}", sums.squares[static_cast<std::size_t>(axis)] / sums.mobile);
+    text += fmt::format(",{}", motion.squares[static_cast<std::size_t>(axis)] / motion.mobile);
   }
-  if (frame.dimension > 1) text += fmt::format(",{}", sums.shear / sums.mobile);
+  if (frame.dimension > 1) text += fmt::format(",{}", motion.shear / motion.mobile);
   if (frame.has_spins()) {
-    text += fmt::format(",{}", sums.turning / (sums.mobile * (frame.dimension == 3 ? 3 : 1)));
+    text +=
+        fmt::format(",{}", turning_of(frame) / (motion.mobile * (frame.dimension == 3 ? 3 : 1)));
   }
-  return text + fmt::format(",{}\n", std::sqrt(sums.fastest));
+  text += fmt::format(",{}\n", std::sqrt(motion.fastest));
+  file.write(text);
 }
 
 std::string series_header(const RecordedSeries& series) {
@@ -116,11 +93,23 @@ std::string series_row(const RecordedSeries& series, std::size_t row) {
   return text + '\n';
 }
 
-std::string collisions_header() { return "k,time,i,j,gap,normal_speed,flags\n"; }
+std::string collisions_header() {
+  std::string text;
+  CollisionRows::fields(CollisionRows(), [&](const char* name, const auto&, auto) {
+    if (!text.empty()) text += ',';
+    text += name;
+  });
+  text += '\n';
+  return text;
+}
 
 std::string collisions_row(const CollisionRow& row) {
-  return fmt::format(FMT_COMPILE("{},{},{},{},{},{},{}\n"), row.k, row.time, row.i, row.j, row.gap,
-                     row.normal_speed, row.flags);
+  std::string text;
+  CollisionRows::fields(CollisionRows(), [&](const char*, const auto&, auto part) {
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE("{},"), row.*part);
+  });
+  text.back() = '\n';
+  return text;
 }
 
 }  // namespace zenosphere

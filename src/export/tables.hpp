@@ -4,6 +4,7 @@
 #include <string>
 
 #include "export/frame.hpp"
+#include "storage/new_file.hpp"
 #include "storage/records.hpp"
 
 namespace zenosphere {
@@ -16,11 +17,9 @@ namespace zenosphere {
 /// \param turns      whether spheres have angular velocities
 std::string observables_header(int dimension, bool turns);
 
-/// One line of it: what follows from the positions and velocities of a snapshot.
-///
-/// \param shear_rate  of the imposed profile, 1/time; velocities count relative to it
-/// Source of the kinetic tensor <c c>: docs/theory.md.
-std::string observables_row(const Frame& frame, double shear_rate);
+/// Appends a line of it: what follows from the positions and velocities of a snapshot, these
+/// relative to the imposed profile.
+void append_observables(NewFile& file, const Frame& frame);
 
 /// The first line of the table of a series: `pressure_tensor_xy` is a component along axes,
 /// `wall_pressure_0` one of another kind.

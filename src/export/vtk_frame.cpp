@@ -135,7 +135,7 @@ std::filesystem::path vtk_frame_name(std::int64_t number) {
   return fmt::format("frame-{:06}.vtp", number);
 }
 
-AtomicFile::FolderOf folder_of_vtk_frames() { return {"frames (frame-*.vtp)", is_vtk_frame}; }
+FolderOf folder_of_vtk_frames() { return {"frames (frame-*.vtp)", is_vtk_frame}; }
 
 void write_vtk_frame(NewFile& file, const Frame& frame) {
   const std::int64_t spheres = frame.spheres();

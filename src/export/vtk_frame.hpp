@@ -23,7 +23,7 @@ void write_vtk_frame(NewFile& file, const Frame& frame);
 std::filesystem::path vtk_frame_name(std::int64_t number);
 
 /// A folder of such files, and of no others.
-AtomicFile::FolderOf folder_of_vtk_frames();
+FolderOf folder_of_vtk_frames();
 
 /// A file that a collection lists.
 struct TimedFile {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/field.hpp"
+
 namespace zenosphere {
 
 enum class Shape { number, row, matrix };
@@ -92,6 +94,19 @@ struct Averages : Observables {
 
   std::optional<double> streak_amplitude{};            ///< of the strongest mode, diameter/time
   std::optional<double> temperature_without_streak{};  ///< granular; both under shear only
+
+  /// What is said of the observables together, without them and their errors.
+  template <class Self, class Visitor>
+  static void remarks(Self& self, Visitor&& visit) {
+    visit(Field{"from_time", "averages_from_time"}, self.from_time);
+    visit(Field{"to_time", "averages_to_time"}, self.to_time);
+    visit(Field{"blocks", "averages_blocks", true}, self.blocks);
+    visit(Field{"steady", "averages_steady", true}, self.steady);
+    visit(Field{"steady_reason", "averages_steady_reason", true}, self.steady_reason);
+    visit(Field{"streak_amplitude", "streak_amplitude", true}, self.streak_amplitude);
+    visit(Field{"temperature_without_streak", "temperature_without_streak", true},
+          self.temperature_without_streak);
+  }
 };
 
 }  // namespace zenosphere

@@ -23,7 +23,7 @@ void Measurements<Dim, Real>::add_unlike_loss(const Collision<Dim, Real>& collis
   }
 }
 
-/// The spin of a sphere, before a collision that it has just had; zero where nobody turns.
+/// The spin of a sphere, before a collision that it has just had; zero where nothing turns.
 template <int Dim, class Real>
 Spin<Dim, Real> Measurements<Dim, Real>::spin_before(
     std::int32_t sphere, const Collision<Dim, Real>* collision,

@@ -37,8 +37,8 @@ int compare_quotients(const Integer& a, const Integer& b, const Integer& c, cons
     if (std::abs(left.exponent - right.exponent) < 2) {
       const double ratio = std::ldexp(left.mantissa / right.mantissa,
                                       static_cast<int>(left.exponent - right.exponent));
-      constexpr double kSafe = 1e-12;  // each mantissa is good to 4 x 2^-52
-      if (std::abs(ratio - 1) > kSafe) return ratio < 1 ? -1 : 1;
+      constexpr double distinct = 1e-12;  // each mantissa is good to 4 x 2^-52
+      if (std::abs(ratio - 1) > distinct) return ratio < 1 ? -1 : 1;
     } else {
       return left.exponent < right.exponent ? -1 : 1;
     }

@@ -31,13 +31,13 @@ Rational exactly(const Real& value) {
   using std::ldexp;
   int exponent = 0;
   Real rest = frexp(value, &exponent);
-  constexpr int kStep = 30;
+  constexpr int bits_a_step = 30;
   Integer digits;
-  for (; rest != 0; exponent -= kStep) {
-    rest = ldexp(rest, kStep);
+  for (; rest != 0; exponent -= bits_a_step) {
+    rest = ldexp(rest, bits_a_step);
     const long word = static_cast<long>(rest);
     rest -= Real(word);
-    digits = (digits << kStep) + word;
+    digits = (digits << bits_a_step) + word;
   }
   Rational result(digits);
   if (exponent < 0) return result / Rational(Integer(1) << -exponent);

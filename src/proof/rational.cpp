@@ -31,11 +31,11 @@ Integer whole(const std::string& digits, const std::string& text) {
 long cut_exponent(std::string& number, const std::string& text) {
   const auto e = number.find_first_of("eE");
   if (e == number.npos) return 0;
-  constexpr long kMost = 100000;
+  constexpr long largest_exponent = 100000;
   char* end = nullptr;
   const std::string exponent = number.substr(e + 1);
   const long value = std::strtol(exponent.c_str(), &end, 10);
-  if (exponent.empty() || *end != '\0' || std::labs(value) > kMost) refuse(text);
+  if (exponent.empty() || *end != '\0' || std::labs(value) > largest_exponent) refuse(text);
   number.resize(e);
   return value;
 }

@@ -57,7 +57,7 @@ class DrivenRun {
  private:
   class Use;
 
-  /// What everybody may ask, guarded by Python's lock.
+  /// What every thread may ask, guarded by Python's lock.
   struct Seen {
     std::int64_t collisions;
     double time;

@@ -7,8 +7,8 @@
 #include "python/arrays.hpp"
 #include "python/files.hpp"
 #include "storage/info.hpp"
-#include "storage/output_reader.hpp"
-#include "storage/recorded_run.hpp"
+#include "storage/output_info.hpp"
+#include "storage/run_reader.hpp"
 #include "storage/sandboxed_read.hpp"
 
 namespace zenosphere {
@@ -17,33 +17,19 @@ namespace {
 
 namespace py = pybind11;
 
-/// What reading a whole run returns, roughly [bytes].
-std::int64_t bytes_of(const std::string& file) {
-  std::error_code failure;
-  std::int64_t bytes = 0;
-  for (const std::filesystem::path& path : {std::filesystem::path(file), journal_of(file)}) {
-    const auto size = std::filesystem::file_size(path, failure);
-    if (!failure) bytes += static_cast<std::int64_t>(size);
-  }
-  return bytes;
-}
-
 /// Does a reading of a run, once it went well in a copy of the process; without Python's lock.
 template <class Action>
 auto read_safely(const std::string& file, Action action) {
   const py::gil_scoped_release unlocked;
   return files.read([&] {
-    sandboxed_read(file, bytes_of(file), [&] { action(RecordedRun(file)); });
-    return action(RecordedRun(file));
+    sandboxed_read(file, bytes_of_run(file), [&] { action(RunReader(file)); });
+    return action(RunReader(file));
   });
 }
 
-std::vector<CollisionRow> rows_of(const RecordedRun& run) {
+std::vector<CollisionRow> rows_of(const RunReader& run) {
   std::vector<CollisionRow> rows;
-  for (std::int64_t n = 0; n < run.log_pieces(); ++n) {
-    const std::vector<CollisionRow> piece = run.log_piece(n);
-    rows.insert(rows.end(), piece.begin(), piece.end());
-  }
+  run.for_each_row([&](const CollisionRow& row) { rows.push_back(row); });
   return rows;
 }
 
@@ -64,7 +50,7 @@ py::dict arrays_of(RecordedSeries series) {
 }  // namespace
 
 ReadOutput::ReadOutput(std::string file) : file_(std::move(file)) {
-  read_safely(file_, [&](const RecordedRun& run) {
+  read_safely(file_, [&](const RunReader& run) {
     const OutputInfo info = read_output_info(file_);
     info_ = to_json(info);
     resolved_case_ = info.resolved_case;
@@ -83,12 +69,11 @@ py::array ReadOutput::collisions() const {
 }
 
 py::dict ReadOutput::series() const {
-  return arrays_of(read_safely(file_, [](const RecordedRun& run) { return run.series(); }));
+  return arrays_of(read_safely(file_, [](const RunReader& run) { return run.series(); }));
 }
 
 py::dict ReadOutput::samples() const {
-  RecordedSamples samples =
-      read_safely(file_, [](const RecordedRun& run) { return run.samples(); });
+  RecordedSamples samples = read_safely(file_, [](const RunReader& run) { return run.samples(); });
   if (samples.sums.columns.empty()) return {};
   py::dict arrays = arrays_of(std::move(samples.sums)), edges;
   for (RecordedSeries::Column& each : samples.edges) {
@@ -100,7 +85,7 @@ py::dict ReadOutput::samples() const {
 }
 
 py::tuple ReadOutput::snapshot(std::int64_t n) const {
-  Snapshot snapshot = read_safely(file_, [n](const RecordedRun& run) { return run.snapshot(n); });
+  Snapshot snapshot = read_safely(file_, [n](const RunReader& run) { return run.snapshot(n); });
   return py::make_tuple(snapshot.step, snapshot.time,
                         owning_table(std::move(snapshot.positions), dimension_),
                         owning_table(std::move(snapshot.velocities), dimension_),

@@ -40,10 +40,10 @@ class FrameCollector {
   Frames result(bool is_log_complete) &&;
 
  private:
-  void keep(const Snapshot& snapshot, const std::vector<double>& speeds);
+  void keep(const Snapshot& snapshot);
 
   std::size_t spheres_;
-  std::size_t dimension_;
+  int dimension_;
   Grains<double> grains_;
   double shear_rate_;
   std::vector<std::int32_t> counts_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "case/case_choices.hpp"
 #include "case/case_grains.hpp"
 #include "storage/info.hpp"
 #include "text/json.hpp"
@@ -44,9 +45,10 @@ Json json_of(const Cluster& cluster) {
 }
 
 Json json_of(const ClusterCollisions& rows) {
-  return {{"k", rows.k},          {"time", rows.time}, {"i", rows.i},
-          {"j", rows.j},          {"gap", rows.gap},   {"normal_speed", rows.normal_speed},
-          {"flight", rows.flight}};
+  Json json = Json::object();
+  ClusterCollisions::fields(rows,
+                            [&](const char* name, const auto& column) { json[name] = column; });
+  return json;
 }
 
 Json json_of(const std::optional<Dissection>& dissection) {
@@ -61,19 +63,21 @@ Json json_of(const std::optional<Dissection>& dissection) {
           {"decay", json_of(dissection->decay)}};
 }
 
+/// The word of the case file, but "fixed loss" as people write it.
+std::string law_text(RestitutionLaw law) {
+  return law == RestitutionLaw::fixed_loss ? "fixed loss" : case_format::word_for(law);
+}
+
 /// What the page needs to know of the case, in numbers and words.
 Json json_of(const Case& values) {
-  static constexpr const char* drives[] = {"none", "shear", "random"};
-  static constexpr const char* laws[] = {"constant", "viscoelastic", "fixed loss", "two-valued"};
-  static constexpr const char* axes[] = {"x", "y", "z"};
   const auto& walls = values.walls.axis;
   const bool is_constant = values.collision.restitution_law == RestitutionLaw::constant;
   return {{"restitution", is_constant ? Json(values.system.restitution) : Json()},
-          {"restitution_law", laws[static_cast<int>(values.collision.restitution_law)]},
+          {"restitution_law", law_text(values.collision.restitution_law)},
           {"solids_volume_fraction", values.system.solids_volume_fraction},
-          {"drive", drives[static_cast<int>(values.drive.kind)]},
+          {"drive", case_format::word_for(values.drive.kind)},
           {"shear_rate", values.drive.kind == DriveKind::shear ? values.drive.shear_rate : 0.0},
-          {"walls", walls ? Json(axes[static_cast<int>(*walls)]) : Json()},
+          {"walls", walls ? Json(case_format::word_for(*walls)) : Json()},
           {"gap_threshold", values.collapse.gap_threshold.nearest_double()},
           {"window", values.collapse.window},
           {"seed", values.start.seed}};
@@ -140,7 +144,7 @@ Json json_of(const std::vector<PairCount>& pairs) {
 
 }  // namespace
 
-std::string run_json(const std::string& name, const RunFile& file, const Case& values,
+std::string run_json(const std::string& name, const RunReader& file, const Case& values,
                      const Frames& frames, const std::vector<StretchName>& stretches,
                      const std::vector<PairCount>& pairs) {
   const OutputInfo& info = file.info();
@@ -158,7 +162,7 @@ std::string run_json(const std::string& name, const RunFile& file, const Case& v
                   {"grains", grains_json(values)},
                   {"summary", Json::parse(to_json(info))},
                   {"anatomy", {{"hit", json_of(anatomy.hit)}, {"arrest", json_of(anatomy.arrest)}}},
-                  {"adjudication", parsed(file.adjudication())},
+                  {"adjudication", parsed(info.adjudication)},
                   {"snapshots", json_of(frames)},
                   {"series", json_of(file.series())},
                   {"log", json_of(stretches)},

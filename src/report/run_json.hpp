@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "report/frames.hpp"
 #include "report/frequent_pairs.hpp"
-#include "storage/run_file.hpp"
+#include "storage/run_reader.hpp"
 
 namespace zenosphere {
 
@@ -23,7 +23,7 @@ struct StretchName {
 ///
 /// \param name   of the output file
 /// \param pairs  of the raster of a log that is too long to be kept
-std::string run_json(const std::string& name, const RunFile& file, const Case& values,
+std::string run_json(const std::string& name, const RunReader& file, const Case& values,
                      const Frames& frames, const std::vector<StretchName>& stretches,
                      const std::vector<PairCount>& pairs);
 

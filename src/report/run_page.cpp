@@ -12,13 +12,12 @@
 #include "report/log_digest.hpp"
 #include "report/run_json.hpp"
 #include "result/summary.hpp"
-#include "storage/run_file.hpp"
+#include "storage/run_reader.hpp"
 #include "storage/sandboxed_read.hpp"
 
 namespace zenosphere {
 namespace {
 
-constexpr std::int64_t rows_at_once = 65536;
 constexpr std::int64_t most_frame_bytes = 8'000'000;
 constexpr std::int64_t most_spheres = 1'000'000;  // two snapshots of so many take 40 MB
 
@@ -37,20 +36,11 @@ std::vector<std::int64_t> remarkable_collisions(const OutputInfo& info) {
   return collisions;
 }
 
-/// Calls `observe` with every row of the log, a piece of it in memory at a time.
-template <class Observe>
-void for_each_row(const RunFile& file, const Observe& observe) {
-  const std::int64_t all = file.info().logged_collisions;
-  for (std::int64_t first = 0; first < all; first += rows_at_once) {
-    for (const auto& row : file.rows(first, std::min(rows_at_once, all - first))) observe(row);
-  }
-}
-
 /// The pairs that get a row of their own where the log is too long to be kept.
-std::vector<PairCount> pairs_of_raster(const RunFile& file) {
+std::vector<PairCount> pairs_of_raster(const RunReader& file) {
   if (file.info().logged_collisions <= LogDigest::most_rows) return {};
   FrequentPairs pairs;
-  for_each_row(file, [&](const CollisionRow& row) { pairs.observe(row); });
+  file.for_each_row([&](const CollisionRow& row) { pairs.observe(row); });
   return pairs.most_frequent(PairRaster::most_pairs);
 }
 
@@ -58,7 +48,7 @@ std::vector<PairCount> pairs_of_raster(const RunFile& file) {
 class RunDigest {
  public:
   /// \param pairs  that get a row of the raster
-  RunDigest(const RunFile& file, const Case& values, std::vector<PairCount> pairs)
+  RunDigest(const RunReader& file, const Case& values, std::vector<PairCount> pairs)
       : file_(file),
         log_(file.info().logged_collisions),
         frames_(file.info().spheres, file.info().dimension, grains_of(values),
@@ -69,7 +59,7 @@ class RunDigest {
   }
 
   void read() {
-    for_each_row(file_, [this](const CollisionRow& row) {
+    file_.for_each_row([this](const CollisionRow& row) {
       while (!are_all_read() && next_step() < row.k) read_snapshot();
       observe(row);
     });
@@ -114,7 +104,7 @@ class RunDigest {
     if (log_.stretch().width > 1) raster_.observe(row);
   }
 
-  const RunFile& file_;
+  const RunReader& file_;
   LogDigest log_;
   std::vector<CloseUp> close_ups_;
   FrameCollector frames_;
@@ -129,9 +119,8 @@ Case case_of(const std::filesystem::path& path, const OutputInfo& info) {
 
 /// Whatever a page needs, once: for the sandbox.
 void read_everything(const std::filesystem::path& path) {
-  const RunFile file(path);
+  const RunReader file(path);
   file.anatomy();
-  file.adjudication();
   file.series();
   RunDigest(file, case_of(path, file.info()), {}).read();
 }
@@ -158,10 +147,8 @@ void add_stretch(PageWriter& page, const std::string& name, const LogStretch& st
 
 void write_run_page(const std::filesystem::path& output, const std::filesystem::path& page,
                     Existing existing) {
-  std::error_code ignored;
-  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(output, ignored));
-  sandboxed_read(output, std::max<std::int64_t>(bytes, 0), [&] { read_everything(output); });
-  const RunFile file(output);
+  sandboxed_read(output, bytes_of_run(output), [&] { read_everything(output); });
+  const RunReader file(output);
   const Case values = case_of(output, file.info());
   PageWriter writer(page, existing);
   RunDigest digest(file, values, pairs_of_raster(file));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "result/field_json.hpp"
 #include "result/summary_line.hpp"
 #include "result/uncertain.hpp"
 
@@ -154,13 +155,8 @@ Json json_of(const std::optional<Averages>& averages, int dimension) {
   }
   Json result = json_of(static_cast<const Observables&>(a), dimension);
   Json errors = a.standard_error ? json_of(*a.standard_error, dimension) : nulls(result);
-  result["from_time"] = a.from_time;
-  result["to_time"] = a.to_time;
-  result["blocks"] = or_null(a.blocks);
-  result["steady"] = or_null(a.steady);
-  result["steady_reason"] = a.steady_reason;
-  result["streak_amplitude"] = or_null(a.streak_amplitude);
-  result["temperature_without_streak"] = or_null(a.temperature_without_streak);
+  Averages::remarks(
+      a, [&](const Field& field, const auto& member) { result[field.name] = field_json(member); });
   if (!averages) result = nulls(std::move(result));
   result["standard_error"] = std::move(errors);
   return result;

@@ -42,6 +42,8 @@ inline constexpr std::array ended_by_words{Word{"collisions", EndedBy::collision
                                            Word{"budget", EndedBy::budget},
                                            Word{"interrupted", EndedBy::interrupted}};
 
+constexpr const auto& words_of(EndedBy) { return ended_by_words; }
+
 /// As files have it: no word where nothing has ended it yet.
 inline const char* word(const std::optional<EndedBy>& ended_by) {
   return ended_by ? word_in(ended_by_words, *ended_by) : "";
@@ -59,6 +61,7 @@ inline constexpr std::array outcome_words{
     Word{"unfinished", Outcome::unfinished}, Word{"finished", Outcome::finished},
     Word{"collapsed", Outcome::collapsed}, Word{"interrupted", Outcome::interrupted}};
 
+constexpr const auto& words_of(Outcome) { return outcome_words; }
 inline const char* word(Outcome outcome) { return word_in(outcome_words, outcome); }
 
 /// What came of a run that was ended so.

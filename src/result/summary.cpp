@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "result/averages_output.hpp"
+#include "result/field_json.hpp"
 #include "result/summary_line.hpp"
 #include "result/summary_species.hpp"
 #include "text/counted.hpp"
@@ -13,60 +15,11 @@
 namespace zenosphere {
 namespace {
 
-Json separation(const Summary::Separation& separation) {
-  return {{"hits", separation.hits},
-          {"first_collision", or_null(separation.first_collision)},
-          {"first_time", or_null(separation.first_time)},
-          {"last_collision", or_null(separation.last_collision)},
-          {"last_time", or_null(separation.last_time)},
-          {"longest_pause", separation.longest_pause}};
-}
-
-Json arrest(const Summary::Arrest& arrest) {
-  Json pairs = Json::array();
-  for (const auto& [i, j] : arrest.pairs) pairs.push_back(Json::array({i, j}));
-  return {{"met", arrest.met},
-          {"collision", or_null(arrest.collision)},
-          {"time", or_null(arrest.time)},
-          {"window", arrest.window},
-          {"pairs", pairs},
-          {"extrapolated_time", or_null(arrest.extrapolated_time)},
-          {"flight_ratio", or_null(arrest.flight_ratio)},
-          {"others_moving", or_null(arrest.others_moving)}};
-}
-
-Json dissected(const std::optional<Summary::Dissected>& dissected) {
-  if (!dissected) return nullptr;
-  const auto& d = *dissected;
-  return {{"collision", d.collision},
-          {"time", d.time},
-          {"clusters", d.clusters},
-          {"spheres", d.spheres},
-          {"contacts", d.contacts},
-          {"chain", d.chain},
-          {"straightness", d.straightness},
-          {"cycle", d.cycle},
-          {"gap_ratio", or_null(d.gap_ratio)},
-          {"speed_ratio", or_null(d.speed_ratio)},
-          {"flight_ratio", or_null(d.flight_ratio)},
-          {"exact_gap_ratio", or_null(d.exact_gap_ratio)},
-          {"exact_speed_ratio", or_null(d.exact_speed_ratio)},
-          {"exact_flight_ratio", or_null(d.exact_flight_ratio)},
-          {"collapse_time", or_null(d.collapse_time)},
-          {"collapse_time_error", or_null(d.collapse_time_error)}};
-}
-
-Json contact(const Summary::Contact& contact) {
-  return {{"mean_restitution", or_null(contact.mean_restitution)},
-          {"made_elastic", contact.made_elastic},
-          {"rotated", contact.rotated}};
-}
-
 /// What has ended the run, where that is no limit of its case and needs words.
 std::string end_sentence(const Summary& s) {
   if (s.ended_by == EndedBy::at_rest) return "at rest: no collision will ever come";
   if (s.ended_by == EndedBy::clock) return "clock: the next collision is beyond its end";
-  if (s.ended_by == EndedBy::idle) return "idle: nobody has met for too long; set run.time";
+  if (s.ended_by == EndedBy::idle) return "idle: no spheres have met for too long; set run.time";
   return word(s.ended_by);
 }
 
@@ -178,30 +131,15 @@ std::string averages_text(const Summary& summary, int dimension) {
 }  // namespace
 
 std::string to_json(const Summary& summary, int dimension) {
-  Json json = {
-      {"collisions", summary.collisions},
-      {"collisions_per_sphere", summary.collisions_per_sphere},
-      {"time", summary.time},
-      {"strain", summary.strain},
-      {"outcome", word(summary.outcome)},
-      {"verdict", word(summary.verdict)},
-      {"separation", separation(summary.separation)},
-      {"arrest", arrest(summary.arrest)},
-      {"absorbed", summary.absorbed},
-      {"averages", json_of(summary.averages, dimension)},
-      {"ledger_error", summary.ledger_error},
-      {"wall_seconds", summary.wall_seconds},
-      {"collisions_per_second", summary.collisions_per_second},
-      {"peak_memory_bytes", summary.peak_memory_bytes},
-      {"ended_by", word(summary.ended_by)},
-      {"overlap_collisions", summary.overlap_collisions},
-      {"overlaps_ignored", summary.overlaps_ignored},
-      {"receding", summary.receding},
-      {"contact", contact(summary.contact)},
-      {"anatomy",
-       {{"hit", dissected(summary.anatomy.hit)}, {"arrest", dissected(summary.anatomy.arrest)}}},
-      {"self_check", or_null(summary.self_check)}};
-  add_species(summary, json);
+  Json json = Json::object();
+  Summary::fields(summary, [&]<class T>(const Field& field, const T& member) {
+    if constexpr (std::is_same_v<T, std::optional<Averages>>) {
+      json[field.name] = json_of(member, dimension);
+    } else {
+      json[field.name] = field_json(member);
+    }
+  });
+  if (summary.species.empty()) json.erase("species");
   return json.dump();
 }
 

@@ -6,15 +6,6 @@
 
 namespace zenosphere {
 
-void add_species(const Summary& summary, Json& json) {
-  for (const Summary::Kind& kind : summary.species) {
-    Json row = {{"name", kind.name}, {"spheres", kind.spheres}};
-    row["granular_temperature"] = or_null(kind.granular_temperature);
-    row["rotational_temperature"] = or_null(kind.rotational_temperature);
-    json["species"].push_back(std::move(row));
-  }
-}
-
 std::string species_lines(const Summary& summary) {
   std::string text;
   const auto& averages = summary.averages;

@@ -91,12 +91,7 @@ class Observers {
 
  private:
   void add_collapse(Summary& summary, const Simulation<Dim, Real>& simulation) const {
-    summary.separation = {separation_.hits(),
-                          separation_.first_collision(),
-                          in_double(separation_.first_time()),
-                          separation_.last_collision(),
-                          separation_.last_time(),
-                          separation_.longest_pause()};
+    summary.separation = separation_.result();
     summary.arrest = {arrest_.is_met(),
                       arrest_.collision(),
                       arrest_.time(),

@@ -9,7 +9,7 @@ namespace zenosphere {
 namespace {
 
 /// Any odd constant makes a stream apart from the one of the start; this is the golden ratio's.
-constexpr std::uint64_t kOtherStream = 0x9e3779b97f4a7c15;
+constexpr std::uint64_t other_stream = 0x9e3779b97f4a7c15;
 
 /// The change that all together get: by mass, and of mobile spheres.
 template <int Dim, class Real>
@@ -34,7 +34,7 @@ Vec<Dim, Real> mean_of(const std::vector<Vec<Dim, Real>>& changes, const Grains<
 
 template <int Dim, class Real>
 RandomDriving<Dim, Real>::RandomDriving(const Case& values)
-    : random_(values.start.seed ^ kOtherStream),
+    : random_(values.start.seed ^ other_stream),
       interval_(values.drive.kick_interval),
       step_(std::sqrt(values.drive.noise_strength * values.drive.kick_interval)),
       keeps_momentum_(!values.walls.axis) {

@@ -18,7 +18,8 @@ namespace zenosphere {
 
 SteppedRun::SteppedRun(const Case& values, const RunOptions& options)
     : values_(values), options_(options) {
-  if (options_.output) OutputFile::check_target(*options_.output, options_.existing);
+  // Before hours are spent on what cannot be kept.
+  if (options_.output) permitted_target(*options_.output, options_.existing);
   const CasePrecision here(values_);
   simulation_ = new_observed(values_, options_.interrupt);
   clock_ = RunClock();  // to make the start takes no time of the run

@@ -19,8 +19,9 @@
 #include "model/offset.hpp"
 #include "start/extended_xyz.hpp"
 #include "start/lasting_contact.hpp"
+#include "start/start_from_output.hpp"
 #include "start/start_species.hpp"
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 
 namespace zenosphere {
 namespace {
@@ -75,29 +76,6 @@ void require_equal_grains(const Grains<double>& found, const Grains<double>& wan
           [](const auto& grains, std::int32_t i) { return grains.diameter(i); });
   compare("mass", !found.masses.empty(), spheres,
           [](const auto& grains, std::int32_t i) { return grains.mass(i); });
-}
-
-GivenStart start_from_output(const Case& values, const std::string& file) {
-  const int dimension = values.system.dimension;
-  StoredSnapshot stored =
-      read_snapshot(file, dimension, values.system.spheres, values.start.snapshot);
-  std::vector<double> sides;
-  double offset = 0;
-  for (int row = 0; row < dimension; ++row) {
-    for (int column = 0; column < dimension; ++column) {
-      const double edge = stored.box_edges[static_cast<std::size_t>(row * dimension + column)];
-      if (row == column) sides.push_back(edge);
-      const bool is_offset = row == 1 && column == 0;
-      if (is_offset) offset = edge;
-      if (row == column || is_offset || std::abs(edge) <= touching) continue;
-      reject(file, fmt::format("has the box edge {} beside the diagonal (only the second one may "
-                               "lean, along x); it may be damaged",
-                               edge));
-    }
-  }
-  return {
-      dimension, std::move(stored.positions), std::move(stored.velocities),        std::move(sides),
-      offset,    std::move(stored.grains),    std::move(stored.angular_velocities)};
 }
 
 /// The offset of the images reduced to half a side; none between walls along x or y.

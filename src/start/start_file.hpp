@@ -21,7 +21,7 @@ struct GivenStart {
   double offset = 0;               ///< of the upper image of the box along x, in [-L/2, L/2),
                                    ///< diameters
   Grains<double> grains{};         ///< what the spheres are
-  std::vector<double> spins{};  ///< N x 3, in two dimensions N, radians/time; empty: nobody turns
+  std::vector<double> spins{};  ///< N x 3, in two dimensions N, radians/time; empty: nothing turns
 };
 
 /// The start that a case writes (Arrangement::given) or names (Arrangement::file), checked: right

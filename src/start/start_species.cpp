@@ -15,7 +15,7 @@
 #include "model/errors.hpp"
 #include "model/grains.hpp"
 #include "start/extended_xyz.hpp"
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 
 namespace zenosphere {
 namespace {

@@ -59,13 +59,8 @@ void write_clusters(const Handle& group, const std::vector<Cluster>& clusters, i
 
 void write_collisions(const Handle& group, const ClusterCollisions& collisions) {
   const Handle rows = hdf5::created_group(group, "collisions");
-  write_values(rows, "k", collisions.k);
-  write_values(rows, "time", collisions.time);
-  write_values(rows, "i", collisions.i);
-  write_values(rows, "j", collisions.j);
-  write_values(rows, "gap", collisions.gap);
-  write_values(rows, "normal_speed", collisions.normal_speed);
-  write_values(rows, "flight", collisions.flight);
+  ClusterCollisions::fields(
+      collisions, [&](const char* name, const auto& column) { write_values(rows, name, column); });
 }
 
 void write_decay(const Handle& group, const Decay& decay) {

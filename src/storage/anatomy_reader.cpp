@@ -71,13 +71,10 @@ std::vector<Cluster> read_clusters(const Handle& group, int dimension, std::int6
 
 ClusterCollisions read_collisions(const Handle& group) {
   ClusterCollisions rows;
-  rows.k = hdf5::values<std::int64_t>(group, "k");
-  rows.time = column<double>(group, "time", rows.k.size());
-  rows.i = column<std::int32_t>(group, "i", rows.k.size());
-  rows.j = column<std::int32_t>(group, "j", rows.k.size());
-  rows.gap = column<double>(group, "gap", rows.k.size());
-  rows.normal_speed = column<double>(group, "normal_speed", rows.k.size());
-  rows.flight = column<double>(group, "flight", rows.k.size());
+  ClusterCollisions::fields(rows, [&]<class T>(const char* name, std::vector<T>& values) {
+    values = hdf5::values<T>(group, name);
+    require(values.size() == rows.k.size(), "columns of the anatomy differ in length");
+  });
   return rows;
 }
 

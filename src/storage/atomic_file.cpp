@@ -45,20 +45,45 @@ void guarded(const fs::path& shown, const std::string& what, Action action) {
 
 }  // namespace
 
+fs::path permitted_target(const fs::path& path, Existing existing, const FolderOf* kind) {
+  std::error_code ignored;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (!fs::is_directory(folder, ignored)) {
+    refuse(path,
+           fmt::format("there is no folder {}; create it or choose another", folder.string()));
+  }
+  const auto status = fs::status(path, ignored);
+  if (!fs::exists(status)) return path;
+  if (!kind && fs::is_directory(status)) refuse(path, "is a folder; choose the name of a file");
+  if (!kind && !fs::is_regular_file(status)) {
+    refuse(path, "is not a regular file; choose another name");
+  }
+  if (existing == Existing::refuse) {
+    refuse(path, "exists already; choose another name or pass --overwrite");
+  }
+  if (kind && !(fs::is_directory(status) && holds_only(path, kind->holds))) {
+    refuse(path, "is not a folder of " + kind->content + " only; choose another name");
+  }
+  return fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
+}
+
 AtomicFile::AtomicFile(const fs::path& target, Existing existing)
-    : AtomicFile(target, existing, FolderOf{}) {}
+    : AtomicFile(target, existing, std::optional<FolderOf>()) {}
 
 AtomicFile::AtomicFile(const fs::path& target, Existing existing, FolderOf kind)
-    : shown_(target), target_(target), existing_(existing), kind_(std::move(kind)) {
+    : AtomicFile(target, existing, std::optional(std::move(kind))) {}
+
+AtomicFile::AtomicFile(const fs::path& target, Existing existing, std::optional<FolderOf> kind)
+    : shown_(target),
+      existing_(existing),
+      kind_(std::move(kind)),
+      target_(permitted()),
+      path_(with_suffix(target_, fmt::format(".part-{}", getpid()))) {
   std::error_code ignored;
-  const bool leads_on = fs::is_symlink(target, ignored) && fs::exists(target, ignored);
-  if (leads_on) target_ = fs::canonical(target, ignored);
-  require_permitted();
-  path_ = with_suffix(target_, fmt::format(".part-{}", getpid()));
   if (fs::exists(fs::symlink_status(path_, ignored))) {
     refuse(path_, "is left from a command that was cut off; delete it");
   }
-  if (is_folder()) guarded(shown_, "created", [&] { fs::create_directory(path_); });
+  if (kind_) guarded(shown_, "created", [&] { fs::create_directory(path_); });
 }
 
 AtomicFile::~AtomicFile() {
@@ -66,29 +91,12 @@ AtomicFile::~AtomicFile() {
   if (!is_in_place_) fs::remove_all(path_, ignored);
 }
 
-/// Throws where the folder is missing or something is there that may not be replaced.
-void AtomicFile::require_permitted() const {
-  std::error_code ignored;
-  const fs::path parent = target_.has_parent_path() ? target_.parent_path() : ".";
-  if (!fs::is_directory(parent, ignored)) {
-    refuse(shown_,
-           fmt::format("there is no folder {}; create it or choose another", parent.string()));
-  }
-  const auto status = fs::status(target_, ignored);
-  if (!fs::exists(status)) return;
-  if (!is_folder() && !fs::is_regular_file(status)) {
-    refuse(shown_, "is not a regular file; choose another name");
-  }
-  if (existing_ == Existing::refuse) {
-    refuse(shown_, "exists already; choose another name or pass --overwrite");
-  }
-  if (is_folder() && !(fs::is_directory(status) && holds_only(target_, kind_.holds))) {
-    refuse(shown_, "is not a folder of " + kind_.content + " only; choose another name");
-  }
+fs::path AtomicFile::permitted() const {
+  return permitted_target(shown_, existing_, kind_ ? &*kind_ : nullptr);
 }
 
 void AtomicFile::put_in_place() {
-  require_permitted();  // another process may have been faster
+  permitted();  // another process may have been faster
   guarded(shown_, "put in place", [&] {
     const fs::path old = with_suffix(target_, fmt::format(".old-{}", getpid()));
     const bool moves_aside = fs::is_directory(target_);

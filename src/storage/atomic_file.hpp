@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace zenosphere {
@@ -8,17 +9,25 @@ namespace zenosphere {
 /// What to do where something has the name already.
 enum class Existing { refuse, replace };
 
+/// What a folder is made of. Only a folder that holds nothing else is ever replaced.
+struct FolderOf {
+  std::string content;  ///< for the message: "frames (frame-*.vtp)"
+  bool (*holds)(const std::filesystem::directory_entry& entry);
+};
+
+/// Where a new file is to be in the end, or a folder of one kind: symbolic links are followed.
+///
+/// \param existing  `replace` permits a regular file, or a folder of that kind
+/// \param kind      null: a file is wanted
+/// Throws OutputError where there is no folder to put it in, or something that may not be replaced.
+std::filesystem::path permitted_target(const std::filesystem::path& path, Existing existing,
+                                       const FolderOf* kind = nullptr);
+
 /// A file, or a folder of files of one kind, that appears under its name once it is complete, in
 /// one step. Until then, and for ever where that fails, it is only there as `NAME.part-` and the
 /// number of the process. Every function throws OutputError.
 class AtomicFile {
  public:
-  /// What a folder is made of. Only a folder that holds nothing else is ever replaced.
-  struct FolderOf {
-    std::string content;  ///< for the message: "frames (frame-*.vtp)"
-    bool (*holds)(const std::filesystem::directory_entry& entry);
-  };
-
   /// \param target    name in the end; symbolic links are followed
   /// \param existing  `replace` permits a regular file
   AtomicFile(const std::filesystem::path& target, Existing existing);
@@ -36,12 +45,13 @@ class AtomicFile {
   void put_in_place();
 
  private:
-  bool is_folder() const { return kind_.holds != nullptr; }
-  void require_permitted() const;
+  AtomicFile(const std::filesystem::path& target, Existing existing, std::optional<FolderOf> kind);
+  std::filesystem::path permitted() const;
 
-  std::filesystem::path shown_, target_, path_;
+  std::filesystem::path shown_;
   Existing existing_;
-  FolderOf kind_;  ///< holds: null for a file
+  std::optional<FolderOf> kind_;  ///< none: a file
+  std::filesystem::path target_, path_;
   bool is_in_place_ = false;
 };
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 
 namespace zenosphere {
 

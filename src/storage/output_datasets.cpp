@@ -101,19 +101,20 @@ void write_particles(const Handle& file, const OutputHeader& header) {
   write_grains(group, header);
 }
 
+/// Calls `action(name, column, type)` for each column of the log.
+template <class Action>
+void for_each_column(const CollisionRows& rows, Action action) {
+  CollisionRows::fields(rows, [&]<class T>(const char* name, const std::vector<T>& column, auto) {
+    action(name, column, hdf5::type_of<T>);
+  });
+}
+
 void write_log(const Handle& file) {
   const Handle group = hdf5::created_group(file, "collisions");
   hdf5::write_attribute(group, "complete", std::uint8_t{0});
-  const auto create = [&](const std::string& name, Type type) {
+  for_each_column(CollisionRows(), [&](const char* name, const auto&, Type type) {
     Series(group, name, type, {}, log_chunk);
-  };
-  create("k", Type::int64);
-  create("time", Type::float64);
-  create("i", Type::int32);
-  create("j", Type::int32);
-  create("gap", Type::float64);
-  create("normal_speed", Type::float64);
-  create("flags", Type::uint8);
+  });
 }
 
 class Trajectory {
@@ -159,36 +160,28 @@ class Trajectory {
 
 class CollisionLog {
  public:
-  explicit CollisionLog(const Handle& file) : group_(hdf5::opened(file, "collisions")) {}
+  explicit CollisionLog(const Handle& file) : group_(hdf5::opened(file, "collisions")) {
+    for_each_column(CollisionRows(), [&](const char* name, const auto&, Type type) {
+      columns_.emplace_back(group_, name, type);
+    });
+  }
 
   void append(const CollisionRows& rows) {
-    k_.append(rows.k);
-    time_.append(rows.time);
-    i_.append(rows.i);
-    j_.append(rows.j);
-    gap_.append(rows.gap);
-    normal_speed_.append(rows.normal_speed);
-    flags_.append(rows.flags);
+    auto series = columns_.begin();
+    for_each_column(rows, [&](const char*, const auto& column, Type) { series++->append(column); });
   }
   void truncate(std::int64_t length) {
-    for (Series* series : {&k_, &time_, &i_, &j_, &gap_, &normal_speed_, &flags_}) {
-      series->truncate(length);
-    }
+    for (Series& series : columns_) series.truncate(length);
   }
   /// Says whether the log holds all collisions of a run that has ended.
   void mark(bool complete) {
     hdf5::write_attribute(group_, "complete", static_cast<std::uint8_t>(complete));
   }
-  std::int64_t length() const { return k_.length(); }
+  std::int64_t length() const { return columns_.front().length(); }
 
  private:
   Handle group_;
-  Series k_{group_, "k", Type::int64};
-  Series time_{group_, "time", Type::float64};
-  Series i_{group_, "i", Type::int32}, j_{group_, "j", Type::int32};
-  Series gap_{group_, "gap", Type::float64};
-  Series normal_speed_{group_, "normal_speed", Type::float64};
-  Series flags_{group_, "flags", Type::uint8};
+  std::vector<Series> columns_;
 };
 
 Handle created(const fs::path& path, const OutputHeader& header) {

@@ -20,27 +20,6 @@ constexpr std::size_t log_buffer = 65536;
 /// A journal up to this size is not worth a new HDF5 file [bytes].
 constexpr std::uint64_t least_fold = 64 << 20;
 
-/// Where the file is to be in the end.
-/// Throws OutputError where the folder is missing or something is there that may not be replaced.
-fs::path permitted_target(const fs::path& path, Existing existing) {
-  std::error_code ignored;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const auto refuse = [&path](const std::string& text) {
-    throw OutputError(path.string() + ": " + text);
-  };
-  if (!fs::is_directory(folder, ignored)) {
-    refuse(fmt::format("there is no folder {}; create it or choose another", folder.string()));
-  }
-  const auto status = fs::status(path, ignored);
-  if (!fs::exists(status)) return path;
-  if (fs::is_directory(status)) refuse("is a folder; choose the name of a file");
-  if (existing == Existing::refuse) {
-    refuse("exists already (a run's data may be in it); choose another name or pass --overwrite");
-  }
-  if (!fs::is_regular_file(status)) refuse("is not a regular file; choose another name");
-  return fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
-}
-
 void remove_quietly(const fs::path& path) {
   std::error_code ignored;
   fs::resize_file(path, 0, ignored);  // HDF5 may still hold it: at least its space is free
@@ -66,10 +45,6 @@ Journal opened_journal(const fs::path& path, const fs::path& target) {
 }
 
 }  // namespace
-
-void OutputFile::check_target(const fs::path& path, Existing existing) {
-  permitted_target(path, existing);
-}
 
 OutputFile::OutputFile(const fs::path& path, const Header& header, Existing existing)
     : path_(path),

@@ -28,10 +28,6 @@ class OutputFile {
  public:
   using Header = OutputHeader;
 
-  /// Throws the OutputError that the constructor would, where it can be known without creating the
-  /// file: before hours are spent on what cannot be kept.
-  static void check_target(const std::filesystem::path& path, Existing existing);
-
   /// Makes the output of a new run and locks it; it gets its name with `begin`.
   ///
   /// \param existing  `replace` puts the new file in the place of an old one in one step, at
@@ -80,7 +76,7 @@ class OutputFile {
               const RecordedSeries& series = {}, const RecordedSamples& samples = {});
 
   /// Throws where the files of this output are no longer under their names: what is written then is
-  /// lost to everybody.
+  /// lost to every reader.
   void require_in_place() const;
 
  private:

@@ -63,15 +63,28 @@ struct CollisionRows {
   std::vector<double> gap{}, normal_speed{};
   std::vector<std::uint8_t> flags{};
 
+  /// Calls `visit(name, column, part)` for each column, `part` being the member of CollisionRow
+  /// that it holds: the one list from which the journal, the datasets, their readers and tables
+  /// come.
+  template <class Self, class Visitor>
+  static void fields(Self&& self, Visitor&& visit) {
+    visit("k", self.k, &CollisionRow::k);
+    visit("time", self.time, &CollisionRow::time);
+    visit("i", self.i, &CollisionRow::i);
+    visit("j", self.j, &CollisionRow::j);
+    visit("gap", self.gap, &CollisionRow::gap);
+    visit("normal_speed", self.normal_speed, &CollisionRow::normal_speed);
+    visit("flags", self.flags, &CollisionRow::flags);
+  }
+
   std::size_t size() const { return k.size(); }
   void append(const CollisionRow& row) {
-    k.push_back(row.k);
-    time.push_back(row.time);
-    i.push_back(row.i);
-    j.push_back(row.j);
-    gap.push_back(row.gap);
-    normal_speed.push_back(row.normal_speed);
-    flags.push_back(row.flags);
+    fields(*this, [&](const char*, auto& column, auto part) { column.push_back(row.*part); });
+  }
+  CollisionRow row(std::size_t n) const {
+    CollisionRow row;
+    fields(*this, [&](const char*, const auto& column, auto part) { row.*part = column[n]; });
+    return row;
   }
   void reserve(std::size_t rows);
   void clear();
@@ -79,12 +92,10 @@ struct CollisionRows {
   /// \throws ArchiveError where the columns differ in length
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
-    archive(self.k, self.time, self.i, self.j, self.gap, self.normal_speed, self.flags);
-    const std::size_t rows = self.k.size();
-    require_archived(self.time.size() == rows && self.i.size() == rows && self.j.size() == rows &&
-                         self.gap.size() == rows && self.normal_speed.size() == rows &&
-                         self.flags.size() == rows,
-                     "columns of different lengths");
+    fields(self, [&](const char*, auto& column, auto) { archive(column); });
+    fields(self, [&](const char*, const auto& column, auto) {
+      require_archived(column.size() == self.size(), "columns of different lengths");
+    });
   }
 };
 

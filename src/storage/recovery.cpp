@@ -6,6 +6,7 @@
 
 #include "model/errors.hpp"
 #include "storage/integrity.hpp"
+#include "storage/stored_info.hpp"
 
 namespace zenosphere {
 namespace {

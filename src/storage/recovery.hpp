@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "storage/journal.hpp"
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 #include "storage/records.hpp"
 
 namespace zenosphere {

@@ -111,7 +111,7 @@ class Replay {
   Motion<Dim> motion_;
   Law law_;
   std::vector<Body<Dim>> bodies_;     ///< each at its last event
-  std::vector<Turning> turning_;      ///< each; empty where nobody turns
+  std::vector<Turning> turning_;      ///< each; empty where nothing turns
   std::vector<std::int32_t> images_;  ///< of the snapshot where the replay has begun
   Kicks<Dim> kicks_;
   LowerWall lower_wall_;

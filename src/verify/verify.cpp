@@ -13,7 +13,7 @@
 #include "model/errors.hpp"
 #include "result/summary.hpp"
 #include "storage/integrity.hpp"
-#include "storage/run_file.hpp"
+#include "storage/run_reader.hpp"
 #include "storage/sandboxed_read.hpp"
 #include "text/counted.hpp"
 #include "verify/arrest_recount.hpp"
@@ -25,21 +25,10 @@ namespace {
 
 using verify::Findings;
 
-constexpr std::int64_t rows_at_once = 65536;
-
-/// Calls `action(row)` for every row of the log.
-template <class Action>
-void for_each_row(const RunFile& file, Action action) {
-  const std::int64_t all = file.info().logged_collisions;
-  for (std::int64_t first = 0; first < all; first += rows_at_once) {
-    for (const auto& row : file.rows(first, std::min(rows_at_once, all - first))) action(row);
-  }
-}
-
 void read_everything(const std::filesystem::path& path) {
-  const RunFile file(path);
+  const RunReader file(path);
   for (std::int64_t n = 0; n < file.info().snapshots; ++n) file.snapshot(n);
-  for_each_row(file, [](const CollisionRow&) {});
+  file.for_each_row([](const CollisionRow&) {});
 }
 
 /// One file, looked at from its first collision to its last.
@@ -47,7 +36,7 @@ template <int Dim>
 class Verifier {
  public:
   /// \param loosest_threshold  of the separation criterion, in the coarsest precision of the run
-  Verifier(const RunFile& file, const Case& values, const GapThreshold& loosest_threshold)
+  Verifier(const RunReader& file, const Case& values, const GapThreshold& loosest_threshold)
       : file_(file),
         values_(values),
         grains_(file.grains()),
@@ -60,9 +49,9 @@ class Verifier {
 
   Verification go() {
     read_snapshot();
-    for_each_row(file_, [&](const CollisionRow& row) { observe(row); });
+    file_.for_each_row([&](const CollisionRow& row) { observe(row); });
     while (next_snapshot_) observe_snapshot();
-    if (file_.info().summary) compare_summary();
+    if (file_.info().has_ended()) compare_summary();
     result_.collisions = file_.info().logged_collisions;
     result_.coverage = replay_.coverage();
     add_notes();
@@ -112,17 +101,17 @@ class Verifier {
   void add_notes() {
     const OutputInfo& info = file_.info();
     auto& notes = result_.notes;
-    if (!info.complete) {
+    if (!info.has_ended()) {
       notes.emplace_back(
-          "the run is not finished: there is no summary to check, and a journal beside the file is "
-          "not looked at (zenosphere resume ends the run)");
+          "the run is not finished: looked at up to its last checkpoint, where there is no summary "
+          "to check (zenosphere resume ends the run)");
     }
-    if (info.complete && !info.log_complete) {
+    if (info.has_ended() && !info.log_complete) {
       notes.emplace_back(
           "the log does not hold every collision: hits, arrest and counts of the "
           "summary were not counted again");
     }
-    if (info.complete && info.log_complete) {
+    if (info.has_ended() && info.log_complete) {
       notes.emplace_back(
           fmt::format("hits, {}verdict and counts of the summary counted again from the "
                       "log",
@@ -147,7 +136,7 @@ class Verifier {
     }
   }
 
-  const RunFile& file_;
+  const RunReader& file_;
   const Case& values_;
   Grains<double> grains_;
   verify::Replay<Dim> replay_;
@@ -203,7 +192,7 @@ Precision first_precision(const OutputInfo& info, const Case& values) {
 }
 
 template <int Dim>
-Verification verification_of(const RunFile& file, Case values) {
+Verification verification_of(const RunReader& file, Case values) {
   GapThreshold loosest_threshold = values.collapse.gap_threshold;
   const Precision first = first_precision(file.info(), values);
   if (loosest_threshold == GapThreshold(values.collision.precision)) {
@@ -213,7 +202,7 @@ Verification verification_of(const RunFile& file, Case values) {
   return Verifier<Dim>(file, values, loosest_threshold).go();
 }
 
-Verification verification_of(const RunFile& file, const Case& values) {
+Verification verification_of(const RunReader& file, const Case& values) {
   switch (file.info().dimension) {
     case 1:
       return verification_of<1>(file, values);
@@ -228,10 +217,8 @@ Verification verification_of(const RunFile& file, const Case& values) {
 
 Verification verify_file(const std::filesystem::path& path) {
   const Integrity integrity = checked_integrity(path);
-  std::error_code ignored;
-  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path, ignored));
-  sandboxed_read(path, std::max<std::int64_t>(bytes, 0), [&] { read_everything(path); });
-  const RunFile file(path);
+  sandboxed_read(path, bytes_of_run(path), [&] { read_everything(path); });
+  const RunReader file(path);
   const Case values = parse_case(file.info().resolved_case, path.string() + ", its case", {});
   require_fitting(path, file.info(), values);
   require_known_kinds(path, file.grains(), values);

@@ -96,7 +96,7 @@ TEST(DiluteGas, OfDifferentSizesCollidesAsWithLists) {
 }
 
 TEST(DiluteGas, MissesNobodyInALongRun) {
-  // Whom it has missed it meets later as an overlap.
+  // What it has missed it meets later as an overlap.
   for (const double shear_rate : {0.0, 0.5}) {
     Gas gas = gas_of(400, box_of(400, 0.12, shear_rate), 0.95);
     for (int n = 0; n < 40'000; ++n) {

@@ -8,7 +8,7 @@
 namespace zenosphere {
 namespace {
 
-const char* const kElasticGas = R"(
+const char* const elastic_gas = R"(
 [system]
 dimension = 3
 spheres = 4000
@@ -27,7 +27,7 @@ collisions = 400000
 constexpr double kTolerance = 0.01;
 
 TEST(ElasticGas, PressureAndCollisionRateAreThoseOfTheHardSphereFluid) {
-  const Summary run = test::run_text(kElasticGas);
+  const Summary run = test::run_text(elastic_gas);
   ASSERT_TRUE(run.averages);
   // Equation of state at phi = 0.3: Kolafa, Labik & Malijevsky, PCCP 6 (2004) 2335.
   const double z = 3.984;
@@ -43,14 +43,14 @@ TEST(ElasticGas, PressureAndCollisionRateAreThoseOfTheHardSphereFluid) {
 
 TEST(ElasticGas, DensestRandomStartIsAFluidInEquilibrium) {
   const Summary run =
-      test::run_text(kElasticGas, {"system.solids_volume_fraction=0.5", "system.spheres=2000"});
+      test::run_text(elastic_gas, {"system.solids_volume_fraction=0.5", "system.spheres=2000"});
   // Carnahan & Starling, J. Chem. Phys. 51 (1969) 635: (1 + phi + phi^2 - phi^3)/(1 - phi)^3 = 13.
   // Seeds scatter by 0.4 %; a start that is mixed too shortly is 3 % too high.
   EXPECT_NEAR(run.averages->compressibility_factor, 13, 0.02 * 13);
 }
 
 TEST(ElasticGas, EnergyIsConservedAndTheLedgerIsClosed) {
-  const Summary run = test::run_text(kElasticGas, {"run.collisions=100000"});
+  const Summary run = test::run_text(elastic_gas, {"run.collisions=100000"});
   EXPECT_NEAR(run.averages->granular_temperature, 1, 1e-12);  // rounding of 1e5 collisions
   EXPECT_LT(run.ledger_error, 1e-12);
   EXPECT_EQ(run.verdict, Verdict::none);
@@ -58,7 +58,7 @@ TEST(ElasticGas, EnergyIsConservedAndTheLedgerIsClosed) {
 
 TEST(ElasticGas, ImposedShearKeepsTheLedgerToo) {
   const Summary run = test::run_text(
-      kElasticGas, {"drive.kind=shear", "drive.shear_rate=1", "system.restitution=0.9"});
+      elastic_gas, {"drive.kind=shear", "drive.shear_rate=1", "system.restitution=0.9"});
   EXPECT_LT(run.ledger_error, 1e-10);
 }
 

@@ -229,7 +229,7 @@ TEST(Engine, AgreesWithTheOracleForManyCollisionsPerSphereWithoutRestart) {
 
 TEST(Engine, LosesNobodyInANarrowBoxHoweverLongItRuns) {
   // Two cells a side: a sphere may see another one in several directions, and be mistaken in which.
-  // Whom it has missed it meets later as an overlap, that is in the past.
+  // What it has missed it meets later as an overlap, that is in the past.
   Gas gas = gas_of({{3.74, 3.74, 3.74}, 30, 1, 0.99, 1}, 2);
   for (int n = 0; n < 100'000; ++n) {
     const auto collision = support::next(gas);

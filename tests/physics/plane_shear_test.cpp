@@ -10,7 +10,7 @@
 namespace zenosphere {
 namespace {
 
-const char* const kPlaneShear = R"(
+const char* const plane_shear = R"(
 [system]
 dimension = 2
 spheres = 1000
@@ -30,7 +30,7 @@ after_time = 20
 )";
 
 Summary sheared(double aspect_ratio) {
-  return test::run_text(kPlaneShear, {"system.aspect_ratio=" + std::to_string(aspect_ratio)});
+  return test::run_text(plane_shear, {"system.aspect_ratio=" + std::to_string(aspect_ratio)});
 }
 
 TEST(PlaneShear, InAnyRectangleDissipatesItsWork) {
@@ -82,7 +82,7 @@ TEST(PlaneShear, DoesNotDependOnTheOrigin) {
   }
 }
 
-const char* const kDrivenByWalls = R"(
+const char* const driven_by_walls = R"(
 [system]
 dimension = 2
 spheres = 200
@@ -108,7 +108,7 @@ after_time = 300
 TEST(MovingWalls, FeedTheGasWhatItsCollisionsTake) {
   for (const int dimension : {2, 3}) {
     const Summary run =
-        test::run_text(kDrivenByWalls, {"system.dimension=" + std::to_string(dimension)});
+        test::run_text(driven_by_walls, {"system.dimension=" + std::to_string(dimension)});
     ASSERT_TRUE(run.averages);
     const Averages& averages = *run.averages;
     EXPECT_LT(run.ledger_error, 1e-10);

@@ -9,7 +9,7 @@
 
 namespace zenosphere {
 
-/// A small system drawn at random, with rules, drive and surroundings that nobody would choose.
+/// A small system drawn at random, with rules, drive and surroundings that no user would choose.
 ///
 /// Its own speed s = sqrt(granular temperature) lies between 10^-12 and 10^137, and everything else
 /// is measured by it: intervals in 1/s, accelerations in s^2.

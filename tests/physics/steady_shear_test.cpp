@@ -5,7 +5,7 @@
 namespace zenosphere {
 namespace {
 
-const char* const kSteadyShear = R"(
+const char* const steady_shear = R"(
 [system]
 dimension = 3
 spheres = 4000
@@ -39,23 +39,23 @@ void expect_near(const Averages& averages, const Reference& reference) {
 }
 
 TEST(SteadyShear, StateAtRestitution09IsTheReferenceState) {
-  const Summary run = test::run_text(kSteadyShear);
+  const Summary run = test::run_text(steady_shear);
   ASSERT_TRUE(run.averages);
   expect_near(*run.averages, {1.139, 2.561, 0.714, 10.885});
 }
 
 TEST(SteadyShear, StateAtRestitution08IsTheReferenceState) {
   const Summary run =
-      test::run_text(kSteadyShear, {"system.restitution=0.8", "start.granular_temperature=0.5"});
+      test::run_text(steady_shear, {"system.restitution=0.8", "start.granular_temperature=0.5"});
   ASSERT_TRUE(run.averages);
   expect_near(*run.averages, {0.5171, 1.1429, 0.4407, 7.436});
 }
 
 TEST(SteadyShear, ShearRateOnlySetsTheUnitOfTime) {
   // Twice the rate and twice the speeds: the same flow, seen in half the time.
-  const Summary one = test::run_text(kSteadyShear, {"run.collisions=20000"});
+  const Summary one = test::run_text(steady_shear, {"run.collisions=20000"});
   const Summary two = test::run_text(
-      kSteadyShear, {"run.collisions=20000", "drive.shear_rate=2", "start.granular_temperature=4"});
+      steady_shear, {"run.collisions=20000", "drive.shear_rate=2", "start.granular_temperature=4"});
   EXPECT_NEAR(two.time, one.time / 2, 1e-12);  // powers of two: only a few roundings differ
   EXPECT_EQ(two.collisions, one.collisions);
 }

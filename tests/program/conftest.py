@@ -113,6 +113,18 @@ class Program:
         process.kill()
         raise AssertionError("no output file after five seconds")
 
+    def kill_with_journal(self, process, size=300_000):
+        """Kills a process that writes out.h5 once its journal has so many bytes; the journal."""
+        journal = self.folder / "out.h5.journal"
+        for _ in range(3000):
+            if journal.exists() and journal.stat().st_size > size:
+                break
+            self.pause(0.01)
+        process.kill()
+        process.communicate()
+        assert journal.stat().st_size > size
+        return journal
+
 
 @pytest.fixture
 def program(tmp_path):

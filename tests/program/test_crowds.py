@@ -32,4 +32,4 @@ def test_no_pair_of_a_crowd_in_a_huge_box_is_lost(program, kind):
         "[run]\ncollisions = 1000\ntime = 120\n")
     done = program("run", program.case.name, "--json", "-o", "out.h5")
     assert json.loads(done.stdout.splitlines()[-1])["collisions"] == 1000
-    program("verify", "out.h5")  # nobody overlaps, and every collision has its way there
+    program("verify", "out.h5")  # no sphere overlaps, and every collision has its way there

@@ -166,14 +166,7 @@ def killed(program):
     """A run whose snapshots and rows are in its journal, but for the first."""
     process = program.start({"output.checkpoint_collisions": 1000, "output.collision_log": "all",
                              "output.snapshot_interval": 0.5})
-    journal = program.folder / "out.h5.journal"
-    for _ in range(2000):
-        if journal.exists() and journal.stat().st_size > 300_000:  # some checkpoints
-            break
-        program.pause(0.01)
-    process.kill()
-    process.communicate()
-    return journal
+    return program.kill_with_journal(process)
 
 
 def text_of(program, file_format, name, *words):

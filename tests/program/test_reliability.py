@@ -1,4 +1,4 @@
-"""Folders that cannot be written, checkpoints from somebody else, and the scripts of docs/reliability.md."""
+"""Folders that cannot be written, checkpoints from another user, and the scripts of docs/reliability.md."""
 
 import ctypes
 import os
@@ -22,7 +22,7 @@ def without_privilege():
 
 @pytest.fixture
 def read_only(program):
-    """The folder of an unfinished run, with its journal, that nobody may write to."""
+    """The folder of an unfinished run, with its journal, that may not be written to."""
     process = program.start({"output.checkpoint_collisions": 1000})
     process.kill()
     process.communicate()

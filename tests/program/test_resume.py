@@ -269,16 +269,9 @@ def test_run_that_a_self_check_ended_is_not_resumed(program):
 
 def test_run_made_longer_and_killed_before_its_first_checkpoint_is_resumed(program):
     program.keep()
-    journal = program.folder / "out.h5.journal"
     process = subprocess.Popen(
         program.command("resume", "out.h5", "--set", f"run.collisions={10**12}"),
         cwd=program.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    for _ in range(1000):
-        if journal.exists() and journal.stat().st_size > 0:
-            break
-        program.pause(0.005)
-    process.kill()
-    process.wait()
-    assert journal.stat().st_size > 0
+    program.kill_with_journal(process, size=0)
     program("resume", "out.h5", "--set", "run.collisions=3000")
     assert json.loads(program("info", "out.h5", "--json").stdout)["collisions"] == 3000

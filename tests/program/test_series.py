@@ -121,12 +121,7 @@ def test_a_run_that_goes_on_has_the_series_of_one_that_was_never_interrupted(pro
 
 
 def test_the_series_of_a_killed_run_is_that_of_its_last_checkpoint(program):
-    run = program.start({"output.checkpoint_collisions": 2000})
-    while not (program.folder / "out.h5.journal").exists():
-        program.pause(0.05)
-    program.pause(0.5)
-    run.kill()
-    run.wait()
+    program.kill_with_journal(program.start({"output.checkpoint_collisions": 2000}))
     table = program.folder / "table.csv"
     program("export", "out.h5", "--format", "csv-series", "-o", str(table))
     steps = [int(line.split(",")[0]) for line in table.read_text().splitlines()[1:]]

@@ -143,7 +143,7 @@ def test_run_under_nohup_survives_the_end_of_the_terminal(program):
 
 
 def read_all(descriptor):
-    """What is in a pseudo-terminal until nobody holds its other end."""
+    """What is in a pseudo-terminal until its other end is closed."""
     parts = []
     try:
         while part := os.read(descriptor, 65536):

@@ -280,59 +280,6 @@ def test_after_a_random_rotation_nothing_is_claimed_of_a_sphere(program):
     assert "beyond predictability   0\n" in told
 
 
-def test_file_of_a_killed_run_passes_without_its_journal(program):
-    process = program.start({"output.checkpoint_collisions": 1000,
-                             "output.collision_log": "all"})
-    process.kill()
-    process.communicate()
-    assert findings(program, code=0) == []
-    assert "the run is not finished" in program("verify", "out.h5").stdout
-
-
-def test_run_that_went_on_in_more_digits_passes(program):
-    program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING)
-    program("resume", "out.h5", "--quiet", "--set", "run.collisions=2500", "--set",
-            "collision.precision=extended")
-    assert replayed(program) == 2500
-    assert "the precision is higher than in the case file" in program("verify", "out.h5").stdout
-
-
-def test_gaps_below_the_range_of_double_stay_hits_that_verify_counts(program, checkout):
-    """Rods in a thousand digits: gaps fall by 8 to 1e-1000, the log's numbers end at 5e-324."""
-    rods = checkout / "examples" / "bernu-mazighi-1990-three-rods.toml"
-    program("run", rods, "--quiet", "-o", "out.h5", "--set", "run.collisions=1200",
-            "--set", "collision.precision=digits1000",
-            "--set", 'collapse.gap_threshold="1e-900"')
-    with h5py.File(program.folder / "out.h5") as run:
-        gap, flags = run["collisions/gap"][:], run["collisions/flags"][:]
-    tiny = gap == 5e-324
-    assert (gap[:1000] > 0).all()
-    assert tiny.sum() == pytest.approx(676 / 0.903, rel=0.02)  # decades, of log10(8) each
-    assert (flags[tiny] & 1).sum() == pytest.approx(100 / 0.903, rel=0.05)
-    assert "No contradiction" in program("verify", "out.h5").stdout
-
-
-def test_run_promoted_from_digits_to_more_digits_passes(program):
-    begin = ["--set", "collision.precision=digits30", "--set", "system.spheres=32"]
-    program("run", "case.toml", "--quiet", "-o", "out.h5", *begin, "--set", "run.collisions=100")
-    for precision, end in (("quad", 150), ("digits100", 200), ("digits150", 250)):
-        program("resume", "out.h5", "--quiet", "--set", f"collision.precision={precision}",
-                "--set", f"run.collisions={end}")
-    assert replayed(program) == 250
-    done = program("resume", "out.h5", "--set", "collision.precision=digits149", code=2)
-    assert "fewer digits" in done.stderr
-
-
-def test_beyond_predictability_nothing_is_claimed(program):
-    """Between two snapshots far apart rounding grows to the size of a sphere."""
-    program("run", "case.toml", "--quiet", "-o", "out.h5", "--set", "run.collisions=20000",
-            "--set", "system.restitution=1", "--set", "drive.kind=none")
-    told = program("verify", "out.h5").stdout
-    followed = replayed(program)
-    assert 108 * 5 < followed < 20000
-    assert f"beyond predictability   {20000 - followed}" in told
-
-
 def test_a_windowed_log_is_replayed_from_the_snapshot_before_it(program):
     program("run", "case.toml", "--quiet", "-o", "out.h5", *EVERYTHING, "--set",
             "output.collision_log=window", "--set", "output.log_first=500", "--set",

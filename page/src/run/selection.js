@@ -64,7 +64,7 @@ export class Selection extends Shared {
 }
 
 /**
- * What becomes of a range that somebody has typed: {first, last, why}.
+ * What becomes of a range that was typed: {first, last, why}.
  *
  * texts: of the two fields;  changed: 0 or 1, the one that was typed in. Where nothing can be shown
  * first and last are those of before; `why` tells what else than wanted was done, or is empty.

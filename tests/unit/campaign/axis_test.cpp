@@ -16,7 +16,7 @@ std::vector<std::string> texts(const AxisRange& range, Storage storage) {
 
 Storage storage_of(std::string_view path) { return AxisKey::named(path).value().storage(); }
 
-// In doubles 0.1 + 0.4 * 2 / 4 and 0.1 + 0.4 * 3 / 4 end in ...04: nobody means that.
+// In doubles 0.1 + 0.4 * 2 / 4 and 0.1 + 0.4 * 3 / 4 end in ...04: no user means that.
 TEST(AxisRange, LinearHasBothEndsAndNumbersAsPeopleWriteThem) {
   EXPECT_EQ(texts({0.1, 0.5, 5}, Storage::real),
             (std::vector<std::string>{"0.1", "0.2", "0.3", "0.4", "0.5"}));

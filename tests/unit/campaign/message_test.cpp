@@ -10,7 +10,7 @@ namespace {
 /// The columns of the store that a summary fills.
 std::vector<Cell> cells(const Summary& summary) {
   std::vector<Cell> cells;
-  for (const ResultColumn& column : result_columns()) cells.push_back(column.cell(summary));
+  for (const ResultColumn& column : result_columns(summary)) cells.push_back(column.cell);
   return cells;
 }
 

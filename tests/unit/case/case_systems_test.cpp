@@ -226,7 +226,7 @@ TEST(CaseSystems, PositionsBelongToAGivenStartAndFilesToOneFromAFile) {
       "e.toml: missing key start.file (physics has no default); add file = ... under [start]");
   const Case idle =
       overridden(triple_case, {"start.arrangement=random", "start.granular_temperature=1"});
-  EXPECT_TRUE(idle.start.positions.empty());  // nobody can read by mistake what is not meant
+  EXPECT_TRUE(idle.start.positions.empty());  // what is not meant cannot be read by mistake
 }
 
 TEST(CaseSystems, StartFileIsMeantFromTheDirectoryOfTheCase) {

@@ -61,12 +61,12 @@ TEST(SeparationCriterion, KeepsTheTimeOfTheLastHitAndTheLongestPauseBetweenTwo) 
   EXPECT_FALSE(criterion.last_time());
   criterion.observe(record(1, 0, 1, 1, 0.125));
   criterion.observe(record(2, 0, 1, 0, 0.25));  // hit at 0.125
-  EXPECT_EQ(criterion.longest_pause(), 0);
+  EXPECT_EQ(criterion.result().longest_pause, 0);
   criterion.observe(record(3, 0, 1, 1, 0.5));
   criterion.observe(record(4, 0, 1, 0, 0.75));    // at 0.5, 0.375 later
   criterion.observe(record(5, 0, 1, 0, 0.6875));  // at 0.75, 0.25 later
   criterion.observe(record(6, 0, 1, 0, 1));       // at 0.6875: the clock was set back
-  EXPECT_EQ(criterion.longest_pause(), 0.375);
+  EXPECT_EQ(criterion.result().longest_pause, 0.375);
   EXPECT_EQ(criterion.last_time(), 0.6875);
 }
 

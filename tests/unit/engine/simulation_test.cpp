@@ -88,7 +88,7 @@ TEST(OverlapRules, DoNotTouchSpheresThatSeparate) {
 
 TEST(Simulation, IsAtRestWhereNothingMovesAndNoLongerAfterAKick) {
   Line line(ShearBox<1, double>({20}, 0, 4), {{{4}, {8}}, {{0}, {0}}}, {0.5});
-  EXPECT_FALSE(line.is_at_rest());  // nobody has looked yet
+  EXPECT_FALSE(line.is_at_rest());  // not looked at yet
   EXPECT_FALSE(line.next_collision(5));
   EXPECT_TRUE(line.is_at_rest());
   line.kick({{1}, {-1}});

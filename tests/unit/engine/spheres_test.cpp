@@ -116,7 +116,7 @@ TEST(Spheres, StayInTheirBallForLongerWhereTheyAreManyAndFarApart) {
   FlyingRods ring(100, 6);
   ASSERT_TRUE(ring.settling.is_dilute);
   const double reach = ring.settling.reach;
-  // Through the middle of the ball, if there is nobody; else to where they meet, and no further.
+  // Through the middle of the ball, if there is no sphere; else to where they meet, and no further.
   ring.settle(2, 1.2, never);
   EXPECT_NEAR(ring.unsettled_at(2, 1.2), 1.2 + 1.9 * reach / 2, 1e-3);
   ring.settle(2, 1.2, 1.3);

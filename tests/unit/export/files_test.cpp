@@ -105,12 +105,12 @@ TEST_F(ExportFiles, InterruptedExportWritesNothing) {
   }
   std::atomic<bool> interrupt = true;
   Export request{.run = path, .target = folder.path / "text", .interrupt = &interrupt};
-  for (const auto format : {ExportFormat::extended_xyz, ExportFormat::csv_observables}) {
-    request.format = format;
+  for (const char* format : {"extxyz", "csv-observables"}) {
+    request.format = export_format(format);
     EXPECT_TRUE(export_run(request).interrupted);
     EXPECT_EQ(files(), 1);
   }
-  request.format = ExportFormat::vtk;
+  request.format = export_format("vtp");
   request.target = folder.path / "a.pvd";
   EXPECT_TRUE(export_run(request).interrupted);
   EXPECT_EQ(files(), 1);

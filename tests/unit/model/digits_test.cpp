@@ -21,7 +21,7 @@ Digits third_of(int bits) {
 
 TEST(Digits, HundredTakeThe334BitsThatTheyAlwaysTook) {
   EXPECT_EQ(hundred, 334);
-  EXPECT_EQ(Digits(1).bits(), 334);  // also where nobody has asked for a precision
+  EXPECT_EQ(Digits(1).bits(), 334);  // also where no precision was asked for
 }
 
 TEST(Digits, NumbersHaveThePrecisionOfTheInnermostScope) {

@@ -44,6 +44,13 @@ TEST(InvariantCone, HoldsWhereSmallerEigenvaluesTurn) {
   EXPECT_TRUE(InvariantCone::around({1, Rational(1, 3), Rational(1, 5)}, a));
 }
 
+TEST(InvariantCone, IsNotWhereAnImageLeavesIt) {
+  // 1 and 5/8 (1 +- i), of modulus 0.88: |z_1| and |z_2| of (1, r, -r) become 5/4 r and 0.
+  const RationalMatrix a{
+      {1, 0, 0}, {0, Rational(5, 8), Rational(-5, 8)}, {0, Rational(5, 8), Rational(5, 8)}};
+  EXPECT_FALSE(InvariantCone::around({1, Rational(1, 3), Rational(1, 5)}, a));
+}
+
 TEST(ExteriorSquare, MapsTheMinors) {
   const RationalMatrix a{{1, 2, 0}, {Rational(1, 3), -1, 4}, {2, 0, 5}};
   const RationalVector x{1, 2, 3};

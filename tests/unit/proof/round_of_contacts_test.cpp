@@ -45,6 +45,15 @@ TEST(RoundOfContacts, NeedsEveryOtherGapOpenAtEachContact) {
   EXPECT_FALSE(four.holds(four.word, reversed));
 }
 
+TEST(RoundOfContacts, NeedsTheRodsOfTheContactBeforeToPart) {
+  FourRods four;
+  // The rods that have met last still approach: all later contacts take place as they did.
+  Rational& speed = four.state.u.at(static_cast<std::size_t>(four.word.back()));
+  ASSERT_GT(speed, 0);
+  speed = -speed;
+  EXPECT_FALSE(four.holds(four.word, four.state.pairs()));
+}
+
 TEST(RoundOfContacts, DoesNotHoldForAnotherWord) {
   const FourRods four;
   std::vector<int> shorter{0, 1, 2, 1};

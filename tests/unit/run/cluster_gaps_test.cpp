@@ -40,7 +40,7 @@ TEST(ClusterGaps, SpheresThatOverlapAreAtTheLimit) {
 
 // At rate 1 the image of the box above moves at a speed of 20 along x. The image of disc 0 above
 // disc 1 is at (4.99, 20.05), 1.1 away along y and 0.01 behind, and overtakes: it approaches by
-// that. Their peculiar velocities are 0, so with those alone nobody would.
+// that. Their peculiar velocities are 0, so with those alone no sphere would.
 TEST(ClusterGaps, PairAcrossTheGradientFaceSeesTheVelocityOfTheImage) {
   const auto gas = discs({{4.99, 0.05}, {5, 18.95}, {12, 10}}, {{0, 0}, {0, 0}, {0, 0}}, 1);
   EXPECT_NEAR(ClusterGaps(gas).smallest(all, 16), 1, 0.01);  // hypot(1.1, 0.01) - 1 = 0.10005

@@ -103,7 +103,7 @@ TEST_F(SelfCheckTest, GoesOnFromAnArchiveWithTheMomentumOfTheStart) {
   EXPECT_NE(resumed.violation()->find("momentum along axis 2"), std::string::npos);
 }
 
-/// A check as an archive holds it that somebody has given a finding of his own.
+/// A check as an archive holds it that was given a finding from outside.
 void read_with(const Simulation<3, double>& simulation, const std::string& finding) {
   SelfCheck<3, double> check(simulation);
   ArchiveWriter writer, forged;

@@ -9,7 +9,7 @@
 
 #include "storage/hdf5.hpp"
 #include "storage/hdf5_series.hpp"
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 #include "unit/storage/output_fixture.hpp"
 
 namespace zenosphere {
@@ -119,7 +119,7 @@ TEST_F(OutputFileTest, ExistingFileIsRefusedAndStaysAsItWas) {
   std::ofstream(path) << "precious";
   EXPECT_EQ(error_text([&] { OutputFile(path, planar_pair, Existing::refuse); }),
             path.string() +
-                ": exists already (a run's data may be in it); choose another name or pass "
+                ": exists already; choose another name or pass "
                 "--overwrite");
   EXPECT_EQ(fs::file_size(path), 8u);
 }

@@ -3,8 +3,9 @@
 #include "storage/hdf5.hpp"
 #include "storage/hdf5_series.hpp"
 #include "storage/output_file.hpp"
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 #include "storage/recovery.hpp"
+#include "storage/stored_info.hpp"
 #include "unit/storage/output_fixture.hpp"
 
 namespace zenosphere {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "model/grains.hpp"
 #include "storage/integrity.hpp"
 #include "storage/records.hpp"
 
@@ -39,18 +38,9 @@ struct OutputInfo {
   Basis basis;  ///< what a journal must go on from: the checkpoint in the file
   Integrity integrity = Integrity::unread;  ///< set by who compares the checksums
   bool is_extended = false;  ///< complete, and a longer run has a checkpoint in the journal
-};
 
-/// A state that an output file holds, in laboratory coordinates and row-major.
-struct StoredSnapshot {
-  int dimension = 0;
-  std::int64_t spheres = 0;
-  std::vector<double> positions;   ///< N x D, diameters
-  std::vector<double> velocities;  ///< N x D, diameters/time
-  std::vector<double> box_edges;   ///< D x D, diameters; the rows are the box vectors
-  /// N x 3, in two dimensions N, radians/time; empty where nothing turns.
-  std::vector<double> angular_velocities{};
-  Grains<double> grains{};  ///< only what the file tells: diameters and masses
+  /// Whether nothing more will come: the summary is that of everything there is.
+  bool has_ended() const { return complete && !is_extended; }
 };
 
 /// Reads an output file, of a finished, an interrupted or a running run, and looks into the journal
@@ -60,24 +50,7 @@ struct StoredSnapshot {
 /// format, or damaged.
 OutputInfo read_output_info(const std::filesystem::path& path);
 
-/// The same from the output file alone, whatever its journal holds: lengths are those of its
-/// datasets.
-OutputInfo read_stored_info(const std::filesystem::path& path);
-
-/// Reads the checkpoint in an output file, whatever its journal holds.
-///
-/// Throws InputError as read_output_info does, and where the file holds no whole checkpoint.
-Checkpoint read_checkpoint(const std::filesystem::path& path);
-
 /// Whether there is a file that begins as HDF5 files do.
 bool is_hdf5_file(const std::filesystem::path& path);
-
-/// Reads a snapshot of an output file, if it has the shape that the caller needs.
-///
-/// \param number  from 0; none: the last one
-/// Throws InputError as read_output_info does, and where the file does not hold that snapshot or
-/// those of another number of spheres or dimensions.
-StoredSnapshot read_snapshot(const std::filesystem::path& path, int dimension, std::int64_t spheres,
-                             std::optional<std::int64_t> number);
 
 }  // namespace zenosphere

@@ -1,4 +1,4 @@
-#include "storage/run_file.hpp"
+#include "storage/stored_run.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include "storage/anatomy_group.hpp"
 #include "storage/hdf5_series.hpp"
 #include "storage/series_group.hpp"
+#include "storage/stored_info.hpp"
 
 namespace zenosphere {
 namespace {
@@ -40,12 +41,6 @@ std::vector<T> rows_of(const hdf5::Handle& file, const std::string& path, std::i
   return values;
 }
 
-template <class T>
-std::vector<T> column(const hdf5::Handle& file, const std::string& name, std::int64_t first,
-                      std::int64_t count) {
-  return rows_of<T>(file, "collisions/" + name, first, count, 1);
-}
-
 /// Row `n` of so many numbers.
 template <class T>
 std::vector<T> row(const std::vector<T>& values, std::int64_t n, std::int64_t size) {
@@ -55,7 +50,8 @@ std::vector<T> row(const std::vector<T>& values, std::int64_t n, std::int64_t si
 
 }  // namespace
 
-RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_stored_info(path)) {
+StoredRun::StoredRun(const std::filesystem::path& path)
+    : path_(path), info_(read_stored_info(path)) {
   reading(path, [&] {
     // Numbers are stored as they are, so that a file cannot hold more of them than it has bytes.
     const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(path));
@@ -77,22 +73,22 @@ RunFile::RunFile(const std::filesystem::path& path) : path_(path), info_(read_st
     }
     require_shape(file_, spheres_group + "box/edges/value", {snapshots, dimension, dimension});
     require_shape(file_, spheres_group + "position/time", {snapshots});
-    for (const std::string name : {"k", "time", "i", "j", "gap", "normal_speed", "flags"}) {
+    CollisionRows::fields(CollisionRows(), [&](const std::string& name, const auto&, auto) {
       require_shape(file_, "collisions/" + name, {info_.logged_collisions});
-    }
+    });
   });
 }
 
-bool RunFile::has_images() const {
+bool StoredRun::has_images() const {
   return hdf5::contains(hdf5::opened(file_, spheres_group), "image");
 }
 
-std::int64_t RunFile::spin_components() const {
+std::int64_t StoredRun::spin_components() const {
   const bool turns = hdf5::contains(hdf5::opened(file_, spheres_group), "angular_velocity");
   return turns ? info_.spheres * (info_.dimension == 3 ? 3 : 1) : 0;
 }
 
-Snapshot RunFile::snapshot(std::int64_t n) const {
+Snapshot StoredRun::snapshot(std::int64_t n) const {
   const auto held = static_cast<std::int64_t>(block_.steps.size());
   if (n < block_.first || n >= block_.first + held) read_block(n);
   const std::int64_t at = n - block_.first;
@@ -107,7 +103,7 @@ Snapshot RunFile::snapshot(std::int64_t n) const {
           .angular_velocities = row(block_.angular_velocities, at, spin_components())};
 }
 
-void RunFile::read_block(std::int64_t first) const {
+void StoredRun::read_block(std::int64_t first) const {
   constexpr std::int64_t most_components = 65536;  // half a MiB of positions
   const std::int64_t components = info_.spheres * info_.dimension;
   const std::int64_t count = std::clamp<std::int64_t>(
@@ -133,7 +129,7 @@ void RunFile::read_block(std::int64_t first) const {
   });
 }
 
-Grains<double> RunFile::grains() const {
+Grains<double> StoredRun::grains() const {
   return reading(path_, [&] {
     Grains<double> grains;
     const auto group = hdf5::opened(file_, spheres_group);
@@ -158,43 +154,30 @@ Grains<double> RunFile::grains() const {
   });
 }
 
-std::vector<CollisionRow> RunFile::rows(std::int64_t first, std::int64_t count) const {
+std::vector<CollisionRow> StoredRun::rows(std::int64_t first, std::int64_t count) const {
   return reading(path_, [&] {
-    const auto k = column<std::int64_t>(file_, "k", first, count);
-    const auto time = column<double>(file_, "time", first, count);
-    const auto i = column<std::int32_t>(file_, "i", first, count);
-    const auto j = column<std::int32_t>(file_, "j", first, count);
-    const auto gap = column<double>(file_, "gap", first, count);
-    const auto speed = column<double>(file_, "normal_speed", first, count);
-    const auto flags = column<std::uint8_t>(file_, "flags", first, count);
-    std::vector<CollisionRow> rows;
-    rows.reserve(k.size());
-    for (std::size_t n = 0; n < k.size(); ++n) {
-      rows.push_back({k[n], time[n], i[n], j[n], gap[n], speed[n], flags[n]});
-    }
+    std::vector<CollisionRow> rows(static_cast<std::size_t>(count));
+    CollisionRows::fields(
+        CollisionRows(),
+        [&]<class T>(const std::string& name, const std::vector<T>&, T CollisionRow::*part) {
+          const auto column = rows_of<T>(file_, "collisions/" + name, first, count, 1);
+          for (std::size_t n = 0; n < rows.size(); ++n) rows[n].*part = column[n];
+        });
     return rows;
   });
 }
 
-RecordedSeries RunFile::series() const {
+RecordedSeries StoredRun::series() const {
   return reading(path_, [&] { return read_series(file_); });
 }
 
-RecordedSamples RunFile::samples() const {
+RecordedSamples StoredRun::samples() const {
   return reading(path_, [&] { return read_samples(file_); });
 }
 
-Anatomy RunFile::anatomy() const {
+Anatomy StoredRun::anatomy() const {
   return reading(path_, [&] {
     return read_anatomy(hdf5::opened(file_, "zenosphere"), info_.dimension, info_.spheres);
-  });
-}
-
-std::optional<std::string> RunFile::adjudication() const {
-  return reading(path_, [&]() -> std::optional<std::string> {
-    const hdf5::Handle own = hdf5::opened(file_, "zenosphere");
-    if (!hdf5::contains(own, "adjudication")) return std::nullopt;
-    return hdf5::text(own, "adjudication");
   });
 }
 

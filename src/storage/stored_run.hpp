@@ -2,24 +2,23 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "collapse/dissection.hpp"
 #include "model/grains.hpp"
 #include "storage/hdf5.hpp"
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 #include "storage/records.hpp"
 
 namespace zenosphere {
 
-/// The content of an output file, snapshot by snapshot and in pieces of the collision log; what its
-/// journal holds beyond it is not looked at.
-class RunFile {
+/// The content of an output file alone, snapshot by snapshot and in pieces of the collision log:
+/// one part of what RunReader reads.
+class StoredRun {
  public:
   /// Throws InputError as read_output_info does, and where columns have different lengths.
-  explicit RunFile(const std::filesystem::path& path);
+  explicit StoredRun(const std::filesystem::path& path);
 
   const OutputInfo& info() const { return info_; }
 
@@ -39,9 +38,6 @@ class RunFile {
 
   /// What was found at the first hit and at the arrest, as far as it is in the file; likewise.
   Anatomy anatomy() const;
-
-  /// The JSON object that `zenosphere adjudicate` left in the file; likewise.
-  std::optional<std::string> adjudication() const;
 
  private:
   /// Snapshots that were read at once: one by one, small ones would take most of the time to find.

@@ -1,6 +1,5 @@
-#include "storage/output_reader.hpp"
+#include "storage/stored_info.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +10,8 @@
 #include "model/limits.hpp"
 #include "storage/hdf5.hpp"
 #include "storage/hdf5_series.hpp"
-#include "storage/journal.hpp"
 #include "storage/output_datasets.hpp"
 #include "storage/sandboxed_read.hpp"
-#include "text/counted.hpp"
 #include "text/file_kind.hpp"
 #include "text/printable.hpp"
 
@@ -131,39 +128,6 @@ void read_checkpoint(const Handle& own, const fs::path& path, OutputInfo& info) 
   info.checkpoint = std::move(checkpoint);
 }
 
-void require_shape(const fs::path& path, const OutputInfo& info, int dimension,
-                   std::int64_t spheres) {
-  if (info.snapshots < 1) reject(path, "holds no snapshot (its run was ended too early)");
-  if (info.dimension != dimension) {
-    reject(path, fmt::format("has {} (system.dimension = {}); make them equal",
-                             counted(info.dimension, "dimension"), dimension));
-  }
-  if (info.spheres == spheres) return;
-  reject(path, fmt::format("has {} (system.spheres = {}); make them equal",
-                           counted(info.spheres, "sphere"), spheres));
-}
-
-/// Row `n` of a dataset that has one row of `row_shape` for each snapshot.
-std::vector<double> row(const Handle& file, const std::string& path,
-                        const std::vector<std::int64_t>& row_shape, std::int64_t n,
-                        std::int64_t snapshots) {
-  std::vector<std::int64_t> needed{snapshots};
-  needed.insert(needed.end(), row_shape.begin(), row_shape.end());
-  if (hdf5::shape(file, path) != needed) throw hdf5::Error(path + " has another shape");
-  std::vector<double> row(static_cast<std::size_t>(row_shape[0] * row_shape[1]));
-  hdf5::read_rows(hdf5::opened(file, path), hdf5::Type::float64, n, 1, row.data());
-  return row;
-}
-
-/// What the file tells of each sphere; empty where it does not.
-std::vector<double> column(const Handle& file, const std::string& name, std::int64_t spheres) {
-  const Handle group = hdf5::opened(file, "particles/spheres");
-  if (!hdf5::contains(group, name)) return {};
-  if (hdf5::shape(group, name) != std::vector{spheres})
-    throw hdf5::Error(name + " has another shape");
-  return hdf5::values<double>(group, name);
-}
-
 /// Throws where the numbers that the file is about cannot be those of a run.
 void require_plausible(const OutputInfo& info) {
   if (info.dimension < 1 || info.dimension > 3) throw hdf5::Error("dimension not in [1, 3]");
@@ -192,25 +156,6 @@ OutputInfo info_of(const fs::path& path) {
   }
 }
 
-/// Adds what the journal knows. Returns whether it goes on from this file.
-bool add_journal(const fs::path& path, const Basis& basis, OutputInfo& info) {
-  std::error_code ignored;
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
-  if (!fs::exists(journal_of(target), ignored)) return true;
-  try {
-    const FileDescriptor journal = FileDescriptor(journal_of(target), O_RDONLY);
-    if (JournalReader(journal).basis() != basis) return false;
-    JournalContents contents = contents_of(journal, Thoroughness::checkpoints);
-    if (contents.resolved_case) info.resolved_case = *std::move(contents.resolved_case);
-    if (!contents.checkpoint) return true;
-    info.checkpoint = *std::move(contents.checkpoint);
-    info.is_extended = info.complete;
-    return true;
-  } catch (const std::runtime_error& error) {  // of the system, or nonsense in the file
-    reject(journal_of(path), fmt::format("cannot be read ({}); it may be damaged", error.what()));
-  }
-}
-
 Checkpoint checkpoint_of(const fs::path& path) {
   OutputInfo info = info_of(path);
   if (!info.checkpoint) {
@@ -231,58 +176,11 @@ Checkpoint checkpoint_of(const fs::path& path) {
   }
 }
 
-StoredSnapshot snapshot_of(const fs::path& path, int dimension, std::int64_t spheres,
-                           std::optional<std::int64_t> number) {
-  const OutputInfo info = info_of(path);
-  require_shape(path, info, dimension, spheres);
-  if (number && *number >= info.snapshots) {
-    reject(path, fmt::format("has {} (start.snapshot = {}, counted from 0); choose one of them",
-                             counted(info.snapshots, "snapshot"), *number));
-  }
-  try {
-    const Handle file = opened_output(path);
-    const std::string group = "particles/spheres/";
-    const std::int64_t rows = info.snapshots;
-    const std::int64_t n = number.value_or(rows - 1);
-    StoredSnapshot stored{dimension, spheres,
-                          row(file, group + "position/value", {spheres, dimension}, n, rows),
-                          row(file, group + "velocity/value", {spheres, dimension}, n, rows),
-                          row(file, group + "box/edges/value", {dimension, dimension}, n, rows)};
-    if (hdf5::contains(hdf5::opened(file, group), "angular_velocity")) {
-      const std::int64_t axes = dimension == 3 ? 3 : 1;
-      stored.angular_velocities =
-          row(file, group + "angular_velocity/value", {spheres, axes}, n, rows);
-    }
-    stored.grains.diameters = column(file, "diameter", spheres);
-    stored.grains.masses = column(file, "mass", spheres);
-    return stored;
-  } catch (const hdf5::Error& error) {
-    reject(path, fmt::format("cannot be read ({}); it may be damaged", error.what()));
-  }
-}
-
 }  // namespace
 
 OutputInfo read_stored_info(const fs::path& path) {
   sandboxed_read(path, 0, [&] { info_of(path); });
   return info_of(path);
-}
-
-OutputInfo read_output_info(const fs::path& path) {
-  constexpr int tries = 3;  // a running run may put a new file in place between two looks
-  for (int attempt = 1;; ++attempt) {
-    const auto before = identity_of(path);
-    OutputInfo info = read_stored_info(path);
-    if (!info.checkpoint) return info;
-    const bool fits = add_journal(path, info.basis, info);
-    if (!fits && attempt < tries && identity_of(path) != before) continue;
-    if (info.complete) return info;
-    info.snapshots = info.checkpoint->snapshots;
-    info.logged_collisions = info.checkpoint->log_rows;
-    info.last_collision = info.checkpoint->collisions;
-    info.last_time = info.checkpoint->time;
-    return info;
-  }
 }
 
 Checkpoint read_checkpoint(const fs::path& path) {
@@ -291,18 +189,6 @@ Checkpoint read_checkpoint(const fs::path& path) {
   sandboxed_read(path, ignored ? 0 : static_cast<std::int64_t>(bytes),
                  [&] { checkpoint_of(path); });
   return checkpoint_of(path);
-}
-
-bool is_hdf5_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) && hdf5::is_hdf5(path);
-}
-
-StoredSnapshot read_snapshot(const fs::path& path, int dimension, std::int64_t spheres,
-                             std::optional<std::int64_t> number) {
-  const auto bytes = static_cast<std::int64_t>(2 * sizeof(double)) * spheres * dimension;
-  sandboxed_read(path, bytes, [&] { snapshot_of(path, dimension, spheres, number); });
-  return snapshot_of(path, dimension, spheres, number);
 }
 
 }  // namespace zenosphere

@@ -1,13 +1,13 @@
-#include "storage/recorded_run.hpp"
+#include "storage/run_reader.hpp"
 
 #include "unit/storage/output_fixture.hpp"
 
 namespace zenosphere {
 namespace {
 
-using RecordedRunTest = OutputFileTest;
+using RunReaderTest = OutputFileTest;
 
-std::vector<std::int64_t> numbers_in(const RecordedRun& run) {
+std::vector<std::int64_t> numbers_in(const RunReader& run) {
   std::vector<std::int64_t> numbers;
   for (std::int64_t n = 0; n < run.log_pieces(); ++n) {
     for (const CollisionRow& row : run.log_piece(n)) numbers.push_back(row.k);
@@ -28,11 +28,14 @@ void leave_unfinished(OutputFile& output) {
   output.write(snapshot(6));
 }
 
-TEST_F(RecordedRunTest, GoesOnInTheJournalUpToItsLastCheckpoint) {
+TEST_F(RunReaderTest, GoesOnInTheJournalUpToItsLastCheckpoint) {
   OutputFile output(path, planar_pair, Existing::refuse);
   leave_unfinished(output);
-  const RecordedRun run(path);
-  EXPECT_EQ(run.info().snapshots, 1);
+  const RunReader run(path);
+  EXPECT_EQ(run.info().logged_collisions, 5);
+  EXPECT_EQ(run.info().last_collision, 5);
+  EXPECT_EQ(run.info().last_time, checkpoint(5).time);
+  EXPECT_FALSE(run.info().has_ended());
   ASSERT_EQ(run.snapshots(), 2);
   EXPECT_EQ(run.snapshot(0).step, 0);
   EXPECT_EQ(run.snapshot(1).step, 5);
@@ -40,19 +43,20 @@ TEST_F(RecordedRunTest, GoesOnInTheJournalUpToItsLastCheckpoint) {
   EXPECT_EQ(numbers_in(run), (std::vector<std::int64_t>{1, 2, 3, 4, 5}));
 }
 
-TEST_F(RecordedRunTest, FinishedRunIsInItsFile) {
+TEST_F(RunReaderTest, FinishedRunIsInItsFile) {
   {
     OutputFile output(path, planar_pair, Existing::refuse);
     write_run(output, 3);
     output.write(snapshot(3));
     finish(output, 3);
   }
-  const RecordedRun run(path);
+  const RunReader run(path);
+  EXPECT_TRUE(run.info().has_ended());
   EXPECT_EQ(run.snapshots(), 2);
   EXPECT_EQ(numbers_in(run), (std::vector<std::int64_t>{1, 2, 3}));
 }
 
-TEST_F(RecordedRunTest, LongerRunTakesTheEndOfTheShorterBack) {
+TEST_F(RunReaderTest, LongerRunTakesTheEndOfTheShorterBack) {
   {
     OutputFile output(path, planar_pair, Existing::refuse);
     write_run(output, 3);
@@ -61,25 +65,28 @@ TEST_F(RecordedRunTest, LongerRunTakesTheEndOfTheShorterBack) {
     output.write(snapshot(40));
     output.finish(summary_of(3));
   }
-  EXPECT_EQ(numbers_in(RecordedRun(path)), (std::vector<std::int64_t>{1, 2, 3, 40}));
+  EXPECT_EQ(numbers_in(RunReader(path)), (std::vector<std::int64_t>{1, 2, 3, 40}));
   OutputFile output(recover(path));
   output.go_on(planar_pair.resolved_case);
   output.append(row(4));
   output.write(snapshot(4));
   output.checkpoint(checkpoint(4));
-  const RecordedRun run(path);
+  const RunReader run(path);
+  EXPECT_TRUE(run.info().complete);  // the shorter one
+  EXPECT_FALSE(run.info().has_ended());
+  EXPECT_EQ(run.info().last_time, checkpoint(4).time);
   EXPECT_EQ(numbers_in(run), (std::vector<std::int64_t>{1, 2, 3, 4}));
   ASSERT_EQ(run.snapshots(), 2);
   EXPECT_EQ(run.snapshot(1).step, 4);
 }
 
-TEST_F(RecordedRunTest, LogComesInPiecesWithoutAGap) {
+TEST_F(RunReaderTest, LogComesInPiecesWithoutAGap) {
   {
     OutputFile output(path, planar_pair, Existing::refuse);
     write_run(output, 70000);
     finish(output, 70000);
   }
-  const RecordedRun run(path);
+  const RunReader run(path);
   EXPECT_EQ(run.log_pieces(), 2);
   const auto numbers = numbers_in(run);
   ASSERT_EQ(numbers.size(), 70000);
@@ -88,7 +95,7 @@ TEST_F(RecordedRunTest, LogComesInPiecesWithoutAGap) {
   }
 }
 
-TEST_F(RecordedRunTest, JournalOfAnotherRunIsLeftAlone) {
+TEST_F(RunReaderTest, JournalOfAnotherRunIsLeftAlone) {
   const fs::path other = folder.path / "other.h5";
   {
     OutputFile output(other, planar_pair, Existing::refuse);
@@ -98,13 +105,13 @@ TEST_F(RecordedRunTest, JournalOfAnotherRunIsLeftAlone) {
   OutputFile output(path, planar_pair, Existing::refuse);
   leave_unfinished(output);
   fs::copy_file(journal_of(path), journal_of(other));
-  EXPECT_EQ(numbers_in(RecordedRun(other)).size(), 7);
+  EXPECT_EQ(numbers_in(RunReader(other)).size(), 7);
 }
 
-TEST_F(RecordedRunTest, JournalThatIsClearedMeanwhileIsAnError) {
+TEST_F(RunReaderTest, JournalThatIsClearedMeanwhileIsAnError) {
   OutputFile output(path, planar_pair, Existing::refuse);
   leave_unfinished(output);
-  const RecordedRun run(path);
+  const RunReader run(path);
   fs::resize_file(journal_of(path), 0);
   EXPECT_THROW(run.snapshot(1), InputError);
   EXPECT_EQ(run.snapshot(0).step, 0);

@@ -1,4 +1,4 @@
-#include "storage/output_reader.hpp"
+#include "storage/output_info.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class OutputReader : public ::testing::Test {
+class OutputInfoTest : public ::testing::Test {
  protected:
   /// The part of the error behind the name of the file.
   std::string problem() const {
@@ -42,7 +42,7 @@ class OutputReader : public ::testing::Test {
   fs::path path = folder.path / "out.h5";
 };
 
-TEST_F(OutputReader, TellsExtentsAndProvenance) {
+TEST_F(OutputInfoTest, TellsExtentsAndProvenance) {
   write_run({});
   const auto info = read_output_info(path);
   EXPECT_EQ(info.format_version, 1);
@@ -58,7 +58,7 @@ TEST_F(OutputReader, TellsExtentsAndProvenance) {
   EXPECT_EQ(info.logged_collisions, 0);
 }
 
-TEST_F(OutputReader, EndIsTheLastSnapshotOrTheLastLoggedCollisionWhicheverIsFarther) {
+TEST_F(OutputInfoTest, EndIsTheLastSnapshotOrTheLastLoggedCollisionWhicheverIsFarther) {
   write_run({{3, 0.25, 0, 1, 1, 1, 0}});
   EXPECT_EQ(read_output_info(path).last_collision, 4);
   EXPECT_EQ(read_output_info(path).last_time, 0.5);
@@ -68,26 +68,26 @@ TEST_F(OutputReader, EndIsTheLastSnapshotOrTheLastLoggedCollisionWhicheverIsFart
   EXPECT_EQ(read_output_info(path).last_time, 0.75);
 }
 
-TEST_F(OutputReader, RejectsWhatIsNotThere) {
+TEST_F(OutputInfoTest, RejectsWhatIsNotThere) {
   EXPECT_EQ(problem(), "does not exist; name an output file of a run");
 }
 
-TEST_F(OutputReader, RejectsAFolder) {
+TEST_F(OutputInfoTest, RejectsAFolder) {
   fs::create_directory(path);
   EXPECT_EQ(problem(), "is a folder; name an output file of a run");
 }
 
-TEST_F(OutputReader, RejectsWhatIsNotHdf5) {
+TEST_F(OutputInfoTest, RejectsWhatIsNotHdf5) {
   std::ofstream(path) << "some text\n";
   EXPECT_EQ(problem(), "is not an HDF5 file; name an output file of a run");
 }
 
-TEST_F(OutputReader, RejectsHdf5OfAnotherProgram) {
+TEST_F(OutputInfoTest, RejectsHdf5OfAnotherProgram) {
   hdf5::created_group(hdf5::created_file(path), "particles");
   EXPECT_EQ(problem(), "has no group /zenosphere (it is not an output of this program)");
 }
 
-TEST_F(OutputReader, RejectsANewerFormatAndNamesTheProgramThatReadsIt) {
+TEST_F(OutputInfoTest, RejectsANewerFormatAndNamesTheProgramThatReadsIt) {
   const auto write = [this] {
     const auto file = hdf5::created_file(path);
     const auto own = hdf5::created_group(file, "zenosphere");
@@ -100,13 +100,13 @@ TEST_F(OutputReader, RejectsANewerFormatAndNamesTheProgramThatReadsIt) {
             "it, or newer");
 }
 
-TEST_F(OutputReader, TellsWhatIsWrongWithADamagedFile) {
+TEST_F(OutputInfoTest, TellsWhatIsWrongWithADamagedFile) {
   write_run({});
   fs::resize_file(path, fs::file_size(path) / 2);
   EXPECT_NE(problem().find("cannot be read (truncated file"), std::string::npos) << problem();
 }
 
-TEST_F(OutputReader, RejectsAProgramVersionThatIsNoText) {
+TEST_F(OutputInfoTest, RejectsAProgramVersionThatIsNoText) {
   write_run({});
   const auto write = [this] {
     const auto own = hdf5::opened(hdf5::reopened_file(path), "zenosphere");
@@ -116,7 +116,7 @@ TEST_F(OutputReader, RejectsAProgramVersionThatIsNoText) {
   EXPECT_NE(problem().find("a program version that is no plain text"), std::string::npos);
 }
 
-TEST_F(OutputReader, TellsWhatIsMissingInAnIncompleteStructure) {
+TEST_F(OutputInfoTest, TellsWhatIsMissingInAnIncompleteStructure) {
   const auto write = [this] {
     const auto file = hdf5::created_file(path);
     const auto own = hdf5::created_group(file, "zenosphere");
