@@ -39,20 +39,19 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<
 }
 
 template <int Dim, class Real>
-std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(double until) {
-  waiting_ = false;
+NextCollision<Dim, Real> Simulation<Dim, Real>::collision_until(double until) {
+  if (stopped_before_) return NoCollision::overlap;
   Instant<Real> limit = instant(until);
   // Without collisions the caller is asked again about once per sphere that is settled.
-  for (std::int32_t patience = 2 * spheres() + 1024; patience > 0 && !stopped_before_; --patience) {
+  for (std::int32_t patience = 2 * spheres() + 1024; patience > 0; --patience) {
     const std::int32_t i = calendar_.earliest();
     if (spheres() > most_spheres_in_cache) fetch_ahead();
     // Sliding layers do not rest, nor does what is too slow for the exponents of its squares.
     if (i == Calendar<Real>::kNone) at_rest_ = !box().is_sheared() && move_as_one();
-    if (at_rest_) return std::nullopt;
+    if (at_rest_) return NoCollision::at_rest;
     const Real next =
         i == Calendar<Real>::kNone ? std::numeric_limits<Real>::infinity() : calendar_.time(i);
-    waiting_ = is_past(limit, next);
-    if (waiting_) return std::nullopt;
+    if (is_past(limit, next)) return NoCollision::up_to_time;
     if (next >= span_) {
       rebase(next, limit);
       limit = instant(until);
@@ -68,11 +67,12 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(doubl
       const auto [a, b] = std::minmax(i, j);
       stopped_before_ = {a, b,
                          gap_at_last_change(a, b, neighbour(a, b, meeting.time), meeting.time)};
+      return NoCollision::overlap;
     } else {
       return next_with(i);
     }
   }
-  return std::nullopt;
+  return at_rest_ ? NoCollision::at_rest : NoCollision::for_a_while;
 }
 
 /// Whether an event at the clock's remainder `next` comes after `limit`.
@@ -97,9 +97,10 @@ bool Simulation<Dim, Real>::has_reached(double time) const {
 
 /// Does the collision that sphere i has pending.
 template <int Dim, class Real>
-Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
+NextCollision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   const Meeting<Real>& meeting = meetings(i).first();
-  Collision<Dim, Real> collision;
+  NextCollision<Dim, Real> next;
+  Collision<Dim, Real>& collision = *next;
   collision.overlapping = meeting.is_overlap();
   collision.i = std::min(i, meeting.partner());
   collision.j = std::max(i, meeting.partner());
@@ -127,7 +128,7 @@ Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
   if (is_pair) look_ahead(collision.j);
   schedule(collision.i);
   if (is_pair) schedule(collision.j);
-  return collision;
+  return next;
 }
 
 /// The collision of two spheres.

@@ -17,6 +17,7 @@
 #include "engine/moving_frame.hpp"
 #include "engine/moving_walls.hpp"
 #include "engine/neighbour_lists.hpp"
+#include "engine/next_collision.hpp"
 #include "engine/next_meetings.hpp"
 #include "engine/rewind_bound.hpp"
 #include "engine/spheres.hpp"
@@ -61,21 +62,15 @@ class Simulation {
   /// Goes on to the next collision and does it.
   ///
   /// \param until  time since the start at which to stop instead
-  /// \return nothing if there is no collision up to `until`; or if only other events came for a
-  ///         while, so that the caller can look at its limits and call again; or if
-  ///         stopped_before() or is_at_rest()
-  std::optional<Collision<Dim, Real>> next_collision(double until) {
-    auto collision = collision_until(until);
-    if (waiting_) wait_until(until);
-    return collision;
+  NextCollision<Dim, Real> next_collision(double until) {
+    auto next = collision_until(until);
+    if (!next && next.error() == NoCollision::up_to_time) wait_until(until);
+    return next;
   }
 
   /// As next_collision, but where nothing happens up to `until` the clock stays at the last event:
-  /// the state is one that a longer run goes through too. Then is_waiting() holds.
-  std::optional<Collision<Dim, Real>> collision_until(double until);
-
-  /// Nothing more happens up to the time that was last asked for.
-  bool is_waiting() const { return waiting_ || at_rest_; }
+  /// the state is one that a longer run goes through too.
+  NextCollision<Dim, Real> collision_until(double until);
 
   /// Lets the clock go on to `time` since the start, up to which nothing happens.
   void wait_until(double time);
@@ -230,7 +225,7 @@ class Simulation {
   void fetch_neighbours(std::int32_t i);
   void fetch_in_place_of_stale(const Event& event);
 
-  Collision<Dim, Real> next_with(std::int32_t i);
+  NextCollision<Dim, Real> next_with(std::int32_t i);
   void meet(Collision<Dim, Real>& collision, Neighbour neighbour);
   void meet_by_law(Collision<Dim, Real>& collision, const RelativeMotion<Dim, Real>& motion);
   bool turn(const Collision<Dim, Real>& collision, std::int32_t sphere);
@@ -333,7 +328,6 @@ class Simulation {
   ContactsAhead<Real> ahead_;  ///< scratch
   std::optional<NextPair> stopped_before_;
   bool at_rest_ = false;
-  bool waiting_ = false;
 
   std::int64_t fetched_ = 0;  ///< for so many of the calendar's line; affects the speed only
   const std::byte* observed_ = nullptr;
