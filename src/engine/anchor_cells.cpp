@@ -9,8 +9,8 @@
 #include <span>
 #include <utility>
 
-#include "engine/equal_in_four.hpp"
-#include "engine/wide_lanes.hpp"
+#include "engine/simd/equal_in_four.hpp"
+#include "engine/simd/wide_lanes.hpp"
 
 namespace zenosphere {
 

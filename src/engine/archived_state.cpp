@@ -127,90 +127,107 @@ void Spheres<Dim, Real>::require_possible(const Sphere& sphere) const {
 }
 
 template <int Dim, class Real>
-Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactRules<Real>& rules,
-                                  const Surroundings<Dim, Real>& surroundings,
-                                  ArchiveReader& archive)
-    : frame_(box, surroundings.acceleration),
-      spheres_(box, surroundings.acceleration - frame_.acceleration(), archive),
-      rules_(rules),
-      surroundings_(surroundings),
-      calendar_(spheres_.count()),
-      rewind_bound_(box, surroundings.acceleration, spheres_.largest_diameter()) {
+void Predictor<Dim, Real>::archive_events_to(ArchiveWriter& archive) const {
   archive(meetings_);
-  const auto times = archive.template next<std::vector<Real>>();
-  require_archived(times.size() == meetings_.size(), "times of another number of spheres");
-  require_archived(!meetings_.empty() && meetings_.size() == static_cast<std::size_t>(spheres()),
-                   "events of another number of spheres");
-  archive_clock(*this, archive);
-  require_counts(collisions_, settlings_, stale_events_, overlaps_ignored_, idle_events_);
-  require_archived(std::isfinite(stride_) && stride_ >= 1 &&
-                       std::ldexp(1.0, std::ilogb(stride_)) == stride_ &&
-                       (stride_ == 1 || !box.is_sheared()),
-                   "a clock that there is not");
-  span_ = Real(stride_) * box.clock_unit();
-  require_archived(!stopped_before_ || is_pair(stopped_before_->i, stopped_before_->j),
-                   "a pair that there is not");
-  bool is_possible = now_.remainder >= earliest_time() && now_.remainder <= 2 * span_;
-  for (const auto& instant : {last_collision_, last_change_}) {
-    is_possible =
-        is_possible && elapsed(instant, now_, this->box().clock_unit()) >= earliest_time();
+  std::vector<Real> times;
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    times.push_back(calendar_.time(static_cast<std::int32_t>(i)));
   }
-  require_archived(is_possible, "a time that there is not");
-  require_archived(!rules.table || grains().kind_count() <= rules.table->kinds(),
-                   "a kind that there is not");
-  make_law();
-  if (law_) archive(*law_);
-  make_walls();
-  if (moving_walls_) archive(*moving_walls_);
-  for (std::int32_t i = 0; i < spheres(); ++i) {
+  archive(times);
+}
+
+template <int Dim, class Real>
+std::vector<Real> Predictor<Dim, Real>::read_meetings(const System<Dim, Real>& system,
+                                                      ArchiveReader& archive) {
+  archive(meetings_);
+  auto times = archive.template next<std::vector<Real>>();
+  require_archived(times.size() == meetings_.size(), "times of another number of spheres");
+  require_archived(
+      !meetings_.empty() && meetings_.size() == static_cast<std::size_t>(system.count()),
+      "events of another number of spheres");
+  return times;
+}
+
+template <int Dim, class Real>
+void Predictor<Dim, Real>::schedule_archived(const System<Dim, Real>& system,
+                                             const std::vector<Real>& times) {
+  for (std::int32_t i = 0; i < system.count(); ++i) {
     const Real& time = times[static_cast<std::size_t>(i)];
-    require_possible(i);
-    require_archived(time >= earliest_time() && time <= meetings(i).first().time,
+    require_possible(system, i);
+    require_archived(time >= earliest_time(system.clock) && time <= meetings(i).first().time,
                      "a time that there is not");
     calendar_.schedule(i, time);
   }
 }
 
 template <int Dim, class Real>
-void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
-  spheres_.archive_to(archive);
-  archive(meetings_);
-  std::vector<Real> times;
-  for (std::int32_t i = 0; i < spheres(); ++i) times.push_back(calendar_.time(i));
-  archive(times);
-  archive_clock(*this, archive);
-  if (law_) archive(*law_);
-  if (moving_walls_) archive(*moving_walls_);
-}
-
-/// Whether a sphere and one behind it, or a sphere and a wall, can collide.
-template <int Dim, class Real>
-bool Simulation<Dim, Real>::is_pair(std::int32_t i, std::int32_t j) const {
-  return i >= 0 && i < j && i < spheres() && j < partners();
-}
-
-/// What no event is before: overlaps lead into the past, which the clock counts from its last whole
-/// stride. Ten thousand strides, and as many of the longest rewinds, are far beyond what runs do.
-template <int Dim, class Real>
-Real Simulation<Dim, Real>::earliest_time() const {
-  return -10000 * (span_ + rewind_bound_.longest());
-}
-
-/// Throws ArchiveError where sphere i has an event that no prediction makes.
-template <int Dim, class Real>
-void Simulation<Dim, Real>::require_possible(std::int32_t i) const {
+void Predictor<Dim, Real>::require_possible(const System<Dim, Real>& system, std::int32_t i) const {
+  const Real earliest = earliest_time(system.clock);
   const Real never = std::numeric_limits<Real>::infinity();
   const NextMeetings<Real>& next = meetings(i);
   for (const Meeting<Real>& meeting : {next.first(), next.second()}) {
     const bool is_with_nobody = !meeting.is_with_anybody() && meeting.time == never;
-    const bool is_possible = meeting.time >= earliest_time() && meeting.time <= never &&  // no NaN
-                             meeting.partner() < partners() && meeting.partner() != i;
+    const bool is_possible = meeting.time >= earliest && meeting.time <= never &&  // no NaN
+                             meeting.partner() < system.partners() && meeting.partner() != i;
     require_archived(is_possible && (meeting.is_with_anybody() || is_with_nobody),
                      "an event that there is not");
   }
 }
 
+template <int Dim, class Real>
+Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactRules<Real>& rules,
+                                  const Surroundings<Dim, Real>& surroundings,
+                                  ArchiveReader& archive)
+    : system_(box, surroundings, archive), rules_(rules), predictor_(system_, rules) {
+  const std::vector<Real> times = predictor_.read_meetings(system_, archive);
+  typename StrideClock<Real>::State clock;
+  archive_course(*this, clock, archive);
+  require_counts(collisions(), settlings_, stale_events_, overlaps_ignored(), idle_events_);
+  require_archived(std::isfinite(clock.stride) && clock.stride >= 1 &&
+                       std::ldexp(1.0, std::ilogb(clock.stride)) == clock.stride &&
+                       (clock.stride == 1 || !box.is_sheared()),
+                   "a clock that there is not");
+  system_.clock = StrideClock<Real>(box.clock_unit(), clock);
+  require_archived(!stopped_before_ || is_pair(stopped_before_->i, stopped_before_->j),
+                   "a pair that there is not");
+  const Real earliest = predictor_.earliest_time(system_.clock);
+  bool is_possible =
+      clock.now.remainder >= earliest && clock.now.remainder <= 2 * system_.clock.span();
+  for (const auto& instant : {last_collision_, last_change_}) {
+    is_possible = is_possible && system_.clock.since(instant) >= earliest;
+  }
+  require_archived(is_possible, "a time that there is not");
+  require_archived(!rules.table || grains().kind_count() <= rules.table->kinds(),
+                   "a kind that there is not");
+  make_law();
+  if (law_) archive(*law_);
+  if (system_.moving_walls) archive(*system_.moving_walls);
+  predictor_.schedule_archived(system_, times);
+}
+
+template <int Dim, class Real>
+void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
+  system_.spheres.archive_to(archive);
+  predictor_.archive_events_to(archive);
+  archive_course(*this, clock().state(), archive);
+  if (law_) archive(*law_);
+  if (system_.moving_walls) archive(*system_.moving_walls);
+}
+
+/// Whether a sphere and one behind it, or a sphere and a wall, can collide.
+template <int Dim, class Real>
+bool Simulation<Dim, Real>::is_pair(std::int32_t i, std::int32_t j) const {
+  return i >= 0 && i < j && i < spheres() && j < system_.partners();
+}
+
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                     \
+  template Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>&, const Vec<Dim, Real>&,     \
+                                       ArchiveReader&);                                       \
+  template void Predictor<Dim, Real>::archive_events_to(ArchiveWriter&) const;                \
+  template std::vector<Real> Predictor<Dim, Real>::read_meetings(const System<Dim, Real>&,    \
+                                                                 ArchiveReader&);             \
+  template void Predictor<Dim, Real>::schedule_archived(const System<Dim, Real>&,             \
+                                                        const std::vector<Real>&);            \
   template Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>&,                      \
                                              const ContactRules<Real>&,                       \
                                              const Surroundings<Dim, Real>&, ArchiveReader&); \

@@ -2,40 +2,22 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
+#include <utility>
 
+#include "engine/rest.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
-
-namespace {
-
-/// Not at the start any more, where spheres that touch have been put so: that is no rounding.
-template <class Real>
-bool has_begun(const Instant<Real>& now) {
-  return now.units > 0 || now.remainder > 0;
-}
-
-}  // namespace
 
 template <int Dim, class Real>
 Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                                   const ContactRules<Real>& rules,
                                   const Surroundings<Dim, Real>& surroundings)
-    : frame_(box, surroundings.acceleration),
-      spheres_(box, std::move(start), surroundings.acceleration - frame_.acceleration()),
-      rules_(rules),
-      surroundings_(surroundings),
-      calendar_(spheres_.count()),
-      meetings_(static_cast<std::size_t>(spheres_.count())),
-      span_(box.clock_unit()),
-      rewind_bound_(box, surroundings.acceleration, spheres_.largest_diameter()) {
-  assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
+    : system_(box, std::move(start), surroundings), rules_(rules), predictor_(system_, rules) {
   assert(!rules.table || grains().kind_count() <= rules.table->kinds());
   make_law();
-  make_walls();
-  for (std::int32_t i = 0; i < spheres(); ++i) predict(i);
+  predictor_.predict_all(system_);
 }
 
 template <int Dim, class Real>
@@ -46,40 +28,45 @@ template <int Dim, class Real>
 Simulation<Dim, Real>::~Simulation() = default;
 
 template <int Dim, class Real>
-std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(double until) {
-  waiting_ = false;
-  Instant<Real> limit = instant(until);
+void Simulation<Dim, Real>::make_law() {
+  if (!ContactLaw<Dim, Real>::is_needed(rules_, grains())) return;
+  law_.emplace(rules_, spheres(), box().clock_unit());
+  const bool may_turn = Dim > 1 && rules_.are_rough() && spins().empty();
+  if (may_turn) system_.spheres.spins().resize(static_cast<std::size_t>(spheres()));
+}
+
+template <int Dim, class Real>
+NextCollision<Dim, Real> Simulation<Dim, Real>::collision_until(double until) {
+  if (stopped_before_) return NoCollision::overlap;
+  Instant<Real> limit = clock().instant(until);
   // Without collisions the caller is asked again about once per sphere that is settled.
-  for (std::int32_t patience = 2 * spheres() + 1024; patience > 0 && !stopped_before_; --patience) {
-    const std::int32_t i = calendar_.earliest();
-    if (spheres() > most_spheres_in_cache) fetch_ahead();
+  for (std::int32_t patience = 2 * spheres() + 1024; patience > 0; --patience) {
+    const std::int32_t i = predictor_.calendar().earliest();
+    prefetcher_.look_ahead(system_, predictor_);
+    const bool has_event = i != Calendar<Real>::kNone;
     // Sliding layers do not rest, nor does what is too slow for the exponents of its squares.
-    if (i == Calendar<Real>::kNone) at_rest_ = !box().is_sheared() && move_as_one();
-    if (at_rest_) return std::nullopt;
+    if (!has_event) at_rest_ = !box().is_sheared() && move_as_one(system_);
+    if (at_rest_) return NoCollision::at_rest;
     const Real next =
-        i == Calendar<Real>::kNone ? std::numeric_limits<Real>::infinity() : calendar_.time(i);
-    waiting_ = is_past(limit, next);
-    if (waiting_) return std::nullopt;
-    if (next >= span_) {
+        has_event ? predictor_.calendar().time(i) : std::numeric_limits<Real>::infinity();
+    if (is_past(limit, next)) return NoCollision::up_to_time;
+    if (next >= clock().span()) {
       rebase(next, limit);
-      limit = instant(until);
+      limit = clock().instant(until);
       continue;
     }
-    const Meeting<Real>& meeting = meetings(i).first();
+    const Meeting<Real>& meeting = predictor_.meetings(i).first();
     if (next < meeting.time) {
       settle(i);
-    } else if (is_stale(meeting)) {
-      go_stale(i);
-    } else if (meeting.is_overlap() && rules_.overlap == OverlapRule::stop && has_begun(now_)) {
-      const std::int32_t j = meeting.partner();
-      const auto [a, b] = std::minmax(i, j);
-      stopped_before_ = {a, b,
-                         gap_at_last_change(a, b, neighbour(a, b, meeting.time), meeting.time)};
+    } else if (predictor_.is_stale(meeting, system_)) {
+      replace_stale(i);
+    } else if (meeting.is_overlap() && rules_.overlap == OverlapRule::stop && clock().has_begun()) {
+      return stop_before(i, meeting);
     } else {
-      return next_with(i);
+      return collide(i);
     }
   }
-  return std::nullopt;
+  return at_rest_ ? NoCollision::at_rest : NoCollision::for_a_while;
 }
 
 /// Whether an event at the clock's remainder `next` comes after `limit`.
@@ -88,65 +75,70 @@ std::optional<Collision<Dim, Real>> Simulation<Dim, Real>::collision_until(doubl
 /// it is set back in two steps instead of one, rounding leaves a trace.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::is_past(const Instant<Real>& limit, const Real& next) const {
-  using std::floor;
-  const double left = limit.units - now_.units;
+  const double left = limit.units - now().units;
   if (left <= 0) return left < 0 || next > limit.remainder;
-  if (next < span_ || box().is_sheared()) return false;
-  return floor(static_cast<Real>(next / span_)) * Real(stride_) > static_cast<Real>(left);
+  if (next < clock().span() || box().is_sheared()) return false;
+  return clock().units_to(next) > static_cast<Real>(left);
 }
 
+/// Ends the run before the collision of two spheres that overlap. At the start, where spheres that
+/// touch have been put so, that is no rounding.
 template <int Dim, class Real>
-bool Simulation<Dim, Real>::has_reached(double time) const {
-  const Instant<Real> wanted = instant(time);
-  return now_.units > wanted.units ||
-         (now_.units == wanted.units && now_.remainder >= wanted.remainder);
+NoCollision Simulation<Dim, Real>::stop_before(std::int32_t i, const Meeting<Real>& meeting) {
+  const auto [a, b] = std::minmax(i, meeting.partner());
+  const Neighbour neighbour = system_.neighbour(a, b, meeting.time);
+  stopped_before_ = {a, b, gap_at_last_change(a, b, neighbour, meeting.time)};
+  return NoCollision::overlap;
 }
 
 /// Does the collision that sphere i has pending.
 template <int Dim, class Real>
-Collision<Dim, Real> Simulation<Dim, Real>::next_with(std::int32_t i) {
-  const Meeting<Real>& meeting = meetings(i).first();
-  Collision<Dim, Real> collision;
-  collision.overlapping = meeting.is_overlap();
-  collision.i = std::min(i, meeting.partner());
-  collision.j = std::max(i, meeting.partner());
+NextCollision<Dim, Real> Simulation<Dim, Real>::collide(std::int32_t i) {
+  const Meeting<Real>& meeting = predictor_.meetings(i).first();
+  const std::int32_t a = std::min(i, meeting.partner());
+  const std::int32_t b = std::max(i, meeting.partner());
+  const std::optional<int> wall = this->wall(b);
   const Real when = meeting.time;
-  const Neighbour neighbour = this->neighbour(collision.i, collision.j, when);
-  collision.gap_before = gap_at_last_change(collision.i, collision.j, neighbour, when);
+  NextCollision<Dim, Real> next;
+  Collision<Dim, Real>& collision = *next;
+  collision.i = a;
+  collision.j = b;
+  collision.overlapping = meeting.is_overlap();
+  const Neighbour neighbour = wall ? Neighbour() : system_.spheres.neighbour(a, b, when);
+  collision.gap_before = gap_at_last_change(a, b, neighbour, when);
 
-  now_.remainder = when;
-  // Not copies of now_: to read 16 bytes of which 8 have just been written takes a long wait.
-  collision.time = {now_.units, when};
-  collision.flight = elapsed(last_collision_, {now_.units, when}, box().clock_unit());
-  collision.number = ++collisions_;
-  last_collision_ = {now_.units, when};
-  last_change_ = {now_.units, when};
+  system_.clock.set_to(when);
+  // Not copies of now(): to read 16 bytes of which 8 have just been written takes a long wait.
+  collision.time = {now().units, when};
+  collision.flight = elapsed(last_collision_, {now().units, when}, box().clock_unit());
+  collision.number = ++system_.collisions;
+  last_collision_ = {now().units, when};
+  last_change_ = {now().units, when};
   idle_events_ = 0;
-  if (const auto wall = this->wall(collision.j)) {
+  if (wall) {
     bounce(collision, *wall);
   } else {
     meet(collision, neighbour);
   }
   note_change(collision);
   // A processor begins to look for the second one while it still waits for roots of the first.
-  const bool is_pair = !wall(collision.j);
-  look_ahead(collision.i);
-  if (is_pair) look_ahead(collision.j);
-  schedule(collision.i);
-  if (is_pair) schedule(collision.j);
-  return collision;
+  predictor_.find_meetings(system_, a);
+  if (!wall) predictor_.find_meetings(system_, b);
+  predictor_.schedule(system_, a);
+  if (!wall) predictor_.schedule(system_, b);
+  return next;
 }
 
 /// The collision of two spheres.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision, Neighbour neighbour) {
-  auto& a = spheres_[collision.i];
-  auto& b = spheres_[collision.j];
-  spheres_.advance(a, now_.remainder);
-  spheres_.advance(b, now_.remainder);
+  auto& a = system_.spheres[collision.i];
+  auto& b = system_.spheres[collision.j];
+  system_.spheres.advance(a, clock().remainder());
+  system_.spheres.advance(b, clock().remainder());
   ++a.collisions;
   ++b.collisions;
-  const auto motion = spheres_.motion_as_stored(collision.i, neighbour, now_.remainder);
+  const auto motion = system_.spheres.motion_as_stored(collision.i, neighbour, clock().remainder());
   if (law_) return meet_by_law(collision, motion);
   collision.impact = impact(motion, rules_.restitution);
   const Vector change = collision.impact.normal * -collision.impact.impulse;
@@ -163,8 +155,8 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::meet_by_law(Collision<Dim, Real>& collision,
                                         const RelativeMotion<Dim, Real>& motion) {
   law_->collide(collision, motion, {grains(), spins()});
-  auto& a = spheres_[collision.i];
-  auto& b = spheres_[collision.j];
+  auto& a = system_.spheres[collision.i];
+  auto& b = system_.spheres[collision.j];
   const Vector velocity_a = a.velocity;
   const Vector velocity_b = b.velocity;
   a.velocity += collision.change * grains().inverse_mass(collision.i);
@@ -178,7 +170,7 @@ void Simulation<Dim, Real>::meet_by_law(Collision<Dim, Real>& collision,
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::turn(const Collision<Dim, Real>& collision, std::int32_t sphere) {
   if (spins().empty()) return false;
-  auto& spin = spheres_.spins()[static_cast<std::size_t>(sphere)];
+  auto& spin = system_.spheres.spins()[static_cast<std::size_t>(sphere)];
   const auto before = spin;
   spin += change_of_spin(collision, sphere);
   return !(spin == before);
@@ -187,68 +179,50 @@ bool Simulation<Dim, Real>::turn(const Collision<Dim, Real>& collision, std::int
 /// Tells what bounds the steps back of the clock how velocities have changed.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::note_change(const Collision<Dim, Real>& collision) {
-  if (!law_) return rewind_bound_.note_change(collision.change, now_.remainder);
+  if (!law_) return predictor_.rewind_bound().note_change(collision.change, clock().remainder());
   for (const std::int32_t sphere : {collision.i, collision.j}) {
     if (wall(sphere)) continue;
-    rewind_bound_.note_change(collision.change * grains().inverse_mass(sphere), now_.remainder);
+    predictor_.rewind_bound().note_change(collision.change * grains().inverse_mass(sphere),
+                                          clock().remainder());
   }
-}
-
-/// How sphere i sees the sphere j that it meets at `when`; of no meaning where j is a wall.
-template <int Dim, class Real>
-Neighbour Simulation<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const Real& when) const {
-  return wall(j) ? Neighbour() : spheres_.neighbour(i, j, when);
 }
 
 /// The distance that two spheres, or a sphere and a wall, have to close from the last change of a
 /// velocity to their contact, diameters.
-///
-/// \param neighbour  the image that will be in contact
-/// \param contact    when that will be
 template <int Dim, class Real>
 Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j, Neighbour neighbour,
                                                const Real& contact) const {
-  const Real when =
-      last_change_.remainder +
-      (static_cast<Real>(last_change_.units) - static_cast<Real>(now_.units)) * box().clock_unit();
-  if (const auto wall = this->wall(j)) return widest_wall_gap(i, *wall, when, contact);
-  return gap(spheres_.motion(i, neighbour, when).dr, spheres_.sigma(i, j));
+  return system_.gap_to_close(i, j, neighbour, clock().remainder_at(last_change_), contact);
 }
 
 /// Settles a sphere again; one that is late by rounding at once.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::settle(std::int32_t i) {
   ++settlings_;
-  now_.remainder = std::max(now_.remainder, calendar_.time(i));
+  system_.clock.advance_to(predictor_.calendar().time(i));
   ++idle_events_;
-  if (is_idle() && spheres_.is_far_out(i, now_.remainder)) {
+  if (is_idle() && system_.spheres.is_far_out(i, clock().remainder())) {
     come_home();
     leap();  // nobody has come near: at once, if nobody is near now
   } else {
-    predict_new(i, spheres_.settle(i, now_.remainder, meetings(i).first().time));
+    const Real& meeting = predictor_.meetings(i).first().time;
+    predictor_.add_meetings(system_, i, system_.spheres.settle(i, clock().remainder(), meeting));
   }
-  if (spheres_.is_crowded()) [[unlikely]] {
-    spheres_.settle_in_crowd(now_.remainder);
-    for (std::int32_t k = 0; k < spheres(); ++k) predict(k);
+  if (system_.spheres.is_crowded()) [[unlikely]] {
+    system_.spheres.settle_in_crowd(clock().remainder());
+    predictor_.predict_all(system_);
   }
   if (is_idle()) look_around();
 }
 
+/// Finds what comes in place of a meeting that does not.
 template <int Dim, class Real>
-Configuration<Dim, Real> Simulation<Dim, Real>::configuration() const {
-  Configuration<Dim, Real> state = spheres_.configuration(now_.units, now_.remainder);
-  if (!frame_.moves()) return state;
-  const auto frame = frame_.place(now_, state.offset);
-  const Vector velocity = frame_.velocity(now_);
-  for (std::size_t i = 0; i < state.positions.size(); ++i) {
-    typename MovingFrame<Dim, Real>::Place place{state.positions[i] + frame.in_box,
-                                                 state.boxes[i] + frame.boxes};
-    frame_.wrap(place, state.offset);
-    state.positions[i] = place.in_box;
-    state.boxes[i] = place.boxes;
-  }
-  for (Vector& own : state.velocities) own += velocity;
-  return state;
+void Simulation<Dim, Real>::replace_stale(std::int32_t i) {
+  const Meeting<Real>& meeting = predictor_.meetings(i).first();
+  ++stale_events_;
+  system_.clock.advance_to(meeting.time);
+  if (wall(meeting.partner())) ++idle_events_;
+  predictor_.replace_stale(system_, i);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Simulation<Dim, Real>;

@@ -13,26 +13,23 @@ namespace zenosphere {
 /// one unit, and the layers slide by a cell.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::rebase(const Real& next_event, const Instant<Real>& limit) {
-  using std::floor;
   if (box().is_sheared()) return set_back(1);
   if (widen_stride(next_event)) return;
   // Nothing happens until the next event: go there at once.
-  const double left = limit.units - now_.units;
-  const Real whole = floor(static_cast<Real>(next_event / span_)) * Real(stride_);
+  const double left = limit.units - now().units;
+  const Real whole = clock().units_to(next_event);
   set_back(whole < static_cast<Real>(left) ? static_cast<double>(whole) : left);
 }
 
 template <int Dim, class Real>
 void Simulation<Dim, Real>::set_back(double units) {
-  const Real span = Real(units) * box().clock_unit();
-  now_.units += units;
-  now_.remainder = std::max(Real(0), Real(now_.remainder - span));
-  spheres_.set_back(span);
-  rewind_bound_.set_back(span);
-  for (NextMeetings<Real>& next : meetings_) next.set_back(span);
-  calendar_.set_back(span);
-  if (!spheres_.slide_near()) return;
-  for (std::int32_t i = 0; i < spheres(); ++i) predict_new(i, spheres_.slid_near(i));
+  const Real span = system_.clock.shift(units);
+  system_.spheres.set_back(span);
+  predictor_.shift_times(span);
+  if (!system_.spheres.slide_near()) return;
+  for (std::int32_t i = 0; i < spheres(); ++i) {
+    predictor_.add_meetings(system_, i, system_.spheres.slid_near(i));
+  }
 }
 
 /// Lengthens the strides of a clock without shear where it would have to be set back for nearly
@@ -46,11 +43,12 @@ template <int Dim, class Real>
 bool Simulation<Dim, Real>::widen_stride(const Real& leap) {
   constexpr double worth_it = 65536;  // spheres that are set back, for one event
   const Real units = leap / box().clock_unit();
-  double stride = least_stride(now_.units + static_cast<double>(units));
-  if (only_cools() && units * spheres() >= Real(worth_it) * Real(stride_)) {
+  double stride = least_stride(now().units + static_cast<double>(units));
+  if (only_cools() && units * spheres() >= Real(worth_it) * Real(clock().stride())) {
     Real square = 0;
     for (std::int32_t i = 0; i < spheres(); ++i) {
-      square = std::max(square, dot(spheres_[i].velocity, spheres_[i].velocity));
+      const Vector& velocity = system_.spheres[i].velocity;
+      square = std::max(square, dot(velocity, velocity));
     }
     const double fitting = 1 / std::sqrt(static_cast<double>(square));
     if (std::isfinite(fitting)) stride = std::max(stride, std::ldexp(1.0, std::ilogb(fitting)));
@@ -62,22 +60,21 @@ bool Simulation<Dim, Real>::widen_stride(const Real& leap) {
 /// them.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::only_cools() const {
-  const bool is_pulled = !(spheres_.acceleration() == Vector{});
-  const auto& walls = surroundings_.walls;
+  const bool is_pulled = !(system_.spheres.acceleration() == Vector{});
+  const auto& walls = surroundings().walls;
   return !is_pulled && (!walls || !walls->feed_energy());
 }
 
 /// Lets the clock count in strides of so many units, if that is more. Returns whether it is.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::lengthen_stride(double stride) {
-  if (stride <= stride_) return false;
-  stride_ = stride;
-  span_ = Real(stride) * box().clock_unit();
-  const double odd = std::fmod(now_.units, stride);
-  const Real remainder = now_.remainder;
+  if (stride <= clock().stride()) return false;
+  system_.clock.use_stride(stride);
+  const double odd = std::fmod(now().units, stride);
+  const Real remainder = clock().remainder();
   if (odd > 0) {
     set_back(-odd);
-    now_.remainder = remainder + Real(odd) * box().clock_unit();
+    system_.clock.set_to(remainder + Real(odd) * clock().unit());
   }
   return true;
 }
@@ -86,23 +83,23 @@ bool Simulation<Dim, Real>::lengthen_stride(double stride) {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::shorten_stride() {
   using std::floor;
-  const double least = least_stride(now_.units);
-  if (!(least < stride_)) return;
-  stride_ = least;
-  span_ = Real(least) * box().clock_unit();
-  if (now_.remainder >= span_) {
-    set_back(static_cast<double>(floor(static_cast<Real>(now_.remainder / span_))) * least);
+  const double least = least_stride(now().units);
+  if (!(least < clock().stride())) return;
+  system_.clock.use_stride(least);
+  if (clock().remainder() >= clock().span()) {
+    const Real strides = floor(static_cast<Real>(clock().remainder() / clock().span()));
+    set_back(static_cast<double>(strides) * least);
   }
 }
 
 template <int Dim, class Real>
 void Simulation<Dim, Real>::wait_until(double time) {
-  Instant<Real> wanted = instant(time);
-  if (!box().is_sheared() && wanted.units > now_.units) {
-    if (lengthen_stride(least_stride(wanted.units))) wanted = instant(time);
-    if (wanted.units > now_.units) set_back(wanted.units - now_.units);
+  Instant<Real> wanted = clock().instant(time);
+  if (!box().is_sheared() && wanted.units > now().units) {
+    if (lengthen_stride(least_stride(wanted.units))) wanted = clock().instant(time);
+    if (wanted.units > now().units) set_back(wanted.units - now().units);
   }
-  if (now_.units == wanted.units) now_.remainder = std::max(now_.remainder, wanted.remainder);
+  if (now().units == wanted.units) system_.clock.advance_to(wanted.remainder);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                         \

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/wide_lanes.hpp"
+#include "engine/simd/wide_lanes.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {

@@ -11,13 +11,13 @@ Halt Observed<Dim, Real>::go_on(const Stretch& stretch) {
   while (!what_ends() && simulation_.collisions() < stretch.collisions &&
          halt.rounds < stretch.rounds && !halt.is_waiting) {
     ++halt.rounds;
-    if (const auto collision = simulation_.collision_until(stretch.time)) {
-      observers_.observe(*collision, simulation_);
-      if (samples_) samples_->observe(*collision, simulation_);
-      if (recorder_) recorder_->observe(*collision);
-      rows_.observe(*collision);
+    if (const auto next = simulation_.collision_until(stretch.time)) {
+      observers_.observe(*next, simulation_);
+      if (samples_) samples_->observe(*next, simulation_);
+      if (recorder_) recorder_->observe(*next);
+      rows_.observe(*next);
     } else {
-      halt.is_waiting = simulation_.is_waiting();
+      halt.is_waiting = is_quiet(next.error());
     }
   }
   return halt;

@@ -48,9 +48,9 @@ TrialRun<Dim, Real>::~TrialRun() = default;
 template <int Dim, class Real>
 void TrialRun<Dim, Real>::go(const TrialEnd& end) {
   while (!is_over(end)) {
-    if (const auto collision = simulation_.collision_until(next_pause())) {
-      observe(*collision, end);
-    } else if (simulation_.is_waiting()) {
+    if (const auto next = simulation_.collision_until(next_pause())) {
+      observe(*next, end);
+    } else if (is_quiet(next.error())) {
       if (next_pause() >= end_of_clock<Real>()) {
         ended_by_ = EndedBy::clock;
         break;

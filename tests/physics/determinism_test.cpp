@@ -50,8 +50,8 @@ TEST(Determinism, StopsOnTheWayDoNotChangeARecord) {
   double until = 0;
   for (int n = 0; n < 1000; ++n) {
     const Record expected = support::next(straight);
-    std::optional<Record> collision;
-    while (!(collision = halting.next_collision(until))) {
+    auto collision = halting.next_collision(until);
+    for (; !collision; collision = halting.next_collision(until)) {
       // A look at the state between the events must leave no trace either.
       EXPECT_EQ(halting.configuration().positions.size(), 100u);
       until += 0.0007;

@@ -51,7 +51,7 @@ std::optional<Oracle::Event> next_of(Oracle& oracle) {
 
 std::optional<support::Record> next_of(support::Gas& gas, double until) {
   while (!gas.has_reached(until) && !gas.is_at_rest()) {
-    if (auto collision = gas.next_collision(until)) return collision;
+    if (const auto collision = gas.next_collision(until)) return *collision;
   }
   return std::nullopt;
 }

@@ -13,7 +13,7 @@ namespace {
 
 /// A system in motion: what is archived in the middle of it.
 template <int D, class R>
-struct System {
+struct Example {
   static constexpr int Dim = D;
   using Real = R;
 
@@ -79,8 +79,8 @@ class ArchivedState : public ::testing::Test {
     }
   }
 };
-using Systems = ::testing::Types<System<1, double>, System<2, double>, System<3, double>,
-                                 System<2, Extended>, System<3, Quad>, System<2, Digits>>;
+using Systems = ::testing::Types<Example<1, double>, Example<2, double>, Example<3, double>,
+                                 Example<2, Extended>, Example<3, Quad>, Example<2, Digits>>;
 TYPED_TEST_SUITE(ArchivedState, Systems);
 
 TYPED_TEST(ArchivedState, CoolingGasGoesOnBitForBit) {
@@ -137,7 +137,7 @@ TEST(LargeSystem, WhatIsFetchedAheadLeavesNoTrace) {
 class HostileState : public ::testing::Test {
  protected:
   using Gas = Simulation<2, double>;
-  using Setting = System<2, double>;
+  using Setting = Example<2, double>;
 
   /// Whether the bytes are refused; where not, the state must at least be safe to go on with.
   bool is_refused(const Bytes& other) const {

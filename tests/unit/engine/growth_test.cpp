@@ -146,15 +146,15 @@ TEST(Growth, PutsRodsOfDifferentLengthsInRandomOrder) {
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return places[a][0] < places[b][0]; });
-  int alike = 0;
+  int equal_ones = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool is_last = k + 1 == order.size();
     const double next = is_last ? places[order[0]][0] + 100 : places[order[k + 1]][0];
     const std::size_t follower = order[is_last ? 0 : k + 1];
     EXPECT_GE(next - places[order[k]][0], (lengths[order[k]] + lengths[follower]) / 2 - 1e-13);
-    if (lengths[order[k]] == lengths[follower]) ++alike;
+    if (lengths[order[k]] == lengths[follower]) ++equal_ones;
   }
-  EXPECT_GT(alike, 5);  // of 40, 20 in the mean; none if they still alternated
+  EXPECT_GT(equal_ones, 5);  // of 40, 20 in the mean; none if they still alternated
 }
 
 TEST(ClosePairs, AreThoseThatALookAtAllPairsFinds) {

@@ -59,12 +59,12 @@ TEST(OverlapRules, StopEndsTheRunBeforeTheCollision) {
   Line line = overlapping(OverlapRule::stop, 1e-15, 0);
   line.wait_until(1);
   line.kick({{1}, {0}, {0}});
-  EXPECT_FALSE(line.next_collision(10));
+  EXPECT_EQ(line.next_collision(10).error(), NoCollision::overlap);
   ASSERT_TRUE(line.stopped_before());
   EXPECT_EQ(line.stopped_before()->i, 0);
   EXPECT_EQ(line.stopped_before()->j, 1);
   EXPECT_NEAR(line.stopped_before()->gap, -1e-15, 4.5e-16);
-  EXPECT_FALSE(line.next_collision(10));
+  EXPECT_EQ(line.next_collision(10).error(), NoCollision::overlap);
   EXPECT_EQ(line.collisions(), 0);
   EXPECT_EQ(line.peculiar_velocity(0)[0], 1);
 }
@@ -80,7 +80,7 @@ TEST(OverlapRules, DoNotTouchSpheresThatSeparate) {
   for (const auto rule :
        {OverlapRule::rewind, OverlapRule::immediate, OverlapRule::guarded, OverlapRule::stop}) {
     Line line = overlapping(rule, 1e-15, -0.001);
-    EXPECT_FALSE(line.next_collision(1));
+    EXPECT_EQ(line.next_collision(1).error(), NoCollision::up_to_time);
     EXPECT_FALSE(line.stopped_before());
     EXPECT_TRUE(line.has_reached(1));
   }
@@ -89,12 +89,31 @@ TEST(OverlapRules, DoNotTouchSpheresThatSeparate) {
 TEST(Simulation, IsAtRestWhereNothingMovesAndNoLongerAfterAKick) {
   Line line(ShearBox<1, double>({20}, 0, 4), {{{4}, {8}}, {{0}, {0}}}, {0.5});
   EXPECT_FALSE(line.is_at_rest());  // not looked at yet
-  EXPECT_FALSE(line.next_collision(5));
+  EXPECT_EQ(line.next_collision(5).error(), NoCollision::at_rest);
   EXPECT_TRUE(line.is_at_rest());
   line.kick({{1}, {-1}});
   ASSERT_TRUE(line.next_collision(5));
   EXPECT_FALSE(line.is_at_rest());
   EXPECT_NEAR(line.time(), 1.5, 1e-15);  // a gap of 3 at speed 2
+}
+
+TEST(Simulation, ComesBackWithoutACollisionFromSpheresThatAreOnlyFollowed) {
+  // Two disks on parallel lines 4 apart never meet: that is seen once they have met none for long.
+  Plane disks(ShearBox<2, double>({20, 20}, 0), {{{4, 4}, {8, 8}}, {{1, 0}, {-1, 0}}}, {1.0});
+  EXPECT_EQ(disks.collision_until(1e5).error(), NoCollision::for_a_while);
+  EXPECT_GT(disks.time(), 1);
+  EXPECT_LT(disks.time(), 1e5);
+  auto reason = NoCollision::for_a_while;
+  while (reason == NoCollision::for_a_while) reason = disks.collision_until(1e5).error();
+  EXPECT_EQ(reason, NoCollision::at_rest);
+}
+
+TEST(Simulation, ClockStaysAtTheLastEventWhereNothingHappensUpToATime) {
+  Line line(ShearBox<1, double>({40}, 0, 8), {{{4}, {11}}, {{1}, {-1}}}, {1.0});
+  const auto none = line.collision_until(1e-3);
+  EXPECT_EQ(none.error(), NoCollision::up_to_time);
+  EXPECT_THROW(none.value(), std::bad_optional_access);
+  EXPECT_EQ(line.time(), 0);
 }
 
 TEST(Simulation, KickChangesTheVelocitiesNowAndWhatComesNext) {

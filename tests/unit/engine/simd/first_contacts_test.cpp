@@ -1,4 +1,4 @@
-#include "engine/wide_contacts.hpp"
+#include "engine/simd/first_contacts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/next_meetings.hpp"
-#include "engine/wide_lanes.hpp"
+#include "engine/simd/wide_lanes.hpp"
 #include "support/gas.hpp"
 #include "support/sight.hpp"
 
@@ -24,7 +24,7 @@ constexpr int some_ways = 135;  // of Way::count
 bool are_same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 template <class Dimension>
-class WideContacts : public ::testing::Test {
+class FirstContactsFourAtATime : public ::testing::Test {
  protected:
   static constexpr int Dim = Dimension::value;
 
@@ -78,9 +78,9 @@ class WideContacts : public ::testing::Test {
 
 using Dimensions = ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
                                     std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(WideContacts, Dimensions);
+TYPED_TEST_SUITE(FirstContactsFourAtATime, Dimensions);
 
-TYPED_TEST(WideContacts, AreThoseOfOneByOneBitForBit) {
+TYPED_TEST(FirstContactsFourAtATime, AreThoseOfOneByOneBitForBit) {
   int answers = 0;
   int overlaps = 0;
   int left_open = 0;
@@ -113,7 +113,7 @@ TYPED_TEST(WideContacts, AreThoseOfOneByOneBitForBit) {
   EXPECT_GT(left_open, 50);  // by equal times
 }
 
-TYPED_TEST(WideContacts, LeaveLongListsAlone) {
+TYPED_TEST(FirstContactsFourAtATime, LeaveLongListsAlone) {
   for (auto& sphere : this->spheres) {  // all are far away, and part
     sphere.position[0] += 100;
     sphere.velocity[0] += 5;
@@ -122,7 +122,7 @@ TYPED_TEST(WideContacts, LeaveLongListsAlone) {
   EXPECT_FALSE(this->found(this->some_neighbours(61)));
 }
 
-TYPED_TEST(WideContacts, OfNobodyAreNone) {
+TYPED_TEST(FirstContactsFourAtATime, OfNobodyAreNone) {
   const auto two = this->found(this->some_neighbours(0));
   ASSERT_TRUE(two);
   EXPECT_EQ(two->meetings, 0);
@@ -130,7 +130,7 @@ TYPED_TEST(WideContacts, OfNobodyAreNone) {
   EXPECT_EQ(two->second, -1);
 }
 
-TYPED_TEST(WideContacts, LeaveAloneWhatIsNoNumber) {
+TYPED_TEST(FirstContactsFourAtATime, LeaveAloneWhatIsNoNumber) {
   const auto neighbours = this->some_neighbours(20);
   this->here.position[0] = std::numeric_limits<double>::quiet_NaN();
   const auto nowhere = this->found(neighbours);
