@@ -85,7 +85,8 @@ bool Simulation<Dim, Real>::is_past(const Instant<Real>& limit, const Real& next
 /// touch have been put so, that is no rounding.
 template <int Dim, class Real>
 NoCollision Simulation<Dim, Real>::stop_before(std::int32_t i, const Meeting<Real>& meeting) {
-  const auto [a, b] = std::minmax(i, meeting.partner());
+  const std::int32_t a = std::min(i, meeting.partner());
+  const std::int32_t b = std::max(i, meeting.partner());
   const Neighbour neighbour = system_.neighbour(a, b, meeting.time);
   stopped_before_ = {a, b, gap_at_last_change(a, b, neighbour, meeting.time)};
   return NoCollision::overlap;
