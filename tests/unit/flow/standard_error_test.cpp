@@ -48,6 +48,16 @@ TEST(StandardError, IsThatOfIndependentValues) {
   EXPECT_NEAR(seen.covered, 0.95, 0.035);
 }
 
+TEST(StandardError, OfNumbersThatAlternateIsWorkedOutByHand) {
+  // 64 deviations of -1 and 1: their variance is 64/63. Half the sum of correlations up to the lag
+  // 2 = 4 x 1/2 is below 1/2, so that tau is 1/2, with 1 + 5/64 for the bias of a short series.
+  std::vector<double> values(64);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = k % 2 == 0 ? 3 : 5;
+  const MeasuredMean measured = measured_mean(values);
+  EXPECT_EQ(measured.mean, 4);
+  EXPECT_NEAR(measured.standard_error, std::sqrt(69.0 / (63 * 64)), 1e-15);
+}
+
 TEST(StandardError, GrowsByTheKnownFactorWhereValuesRemember) {
   const Tally seen = tally(0.8, 1024);
   const double exact = 1.8 / 0.2 / (1 - 0.64) / 1024;

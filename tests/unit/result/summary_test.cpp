@@ -205,6 +205,33 @@ TEST(Summary, IsReadFromAFileThatHasNoAnatomyOrContactModels) {
   EXPECT_FALSE(summary_from_json(json.dump(), 2).anatomy.hit);
 }
 
+TEST(Summary, WithoutAFieldThatEveryVersionWroteIsRefused) {
+  const auto whole = Json::parse(to_json(collapsed_summary(), 2));
+  EXPECT_NO_THROW(summary_from_json(whole.dump(), 2));
+  for (const char* key : {"collisions", "absorbed", "ledger_error", "receding"}) {
+    auto json = whole;
+    json.erase(key);
+    EXPECT_THROW(summary_from_json(json.dump(), 2), InputError) << key;
+  }
+  auto json = whole;
+  json["separation"].erase("hits");
+  EXPECT_THROW(summary_from_json(json.dump(), 2), InputError);
+}
+
+TEST(Summary, WithAListThatIsNoneIsRefused) {
+  auto json = Json::parse(to_json(collapsed_summary(), 2));
+  json["arrest"]["pairs"] = 7;
+  EXPECT_THROW(summary_from_json(json.dump(), 2), InputError);
+}
+
+TEST(Summary, PressureOnWallsIsThatOnTwoOrNone) {
+  auto json = Json::parse(to_json(collapsed_summary(), 2));
+  json["averages"]["wall_pressure"] = {0.5, 0.25};
+  EXPECT_NO_THROW(summary_from_json(json.dump(), 2));
+  json["averages"]["wall_pressure"] = {0.5};
+  EXPECT_THROW(summary_from_json(json.dump(), 2), InputError);
+}
+
 /// What is said of a summary whose member `key` is `word`.
 std::string refusal(const char* key, const char* word) {
   auto json = Json::parse(to_json(collapsed_summary(), 2));
