@@ -10,10 +10,6 @@ namespace {
 
 using Objection = std::optional<std::string>;
 
-bool are_different(const Case& values) {
-  return !values.species.empty() || values.polydispersity.spread > 0;
-}
-
 bool has_immobile(const Case& values) {
   return std::any_of(values.species.begin(), values.species.end(),
                      [](const Species& species) { return species.immobile; });
@@ -45,12 +41,6 @@ Objection inertia_of_no_sphere(const Case& values) {
     return std::nullopt;
   }
   return "(without friction nothing turns); remove it, or add collision.friction";
-}
-
-Objection law_of_equal_spheres(const Case& values) {
-  if (values.collision.restitution_law == RestitutionLaw::constant) return std::nullopt;
-  if (!are_different(values) && !is_rough(values)) return std::nullopt;
-  return "(only for smooth unit spheres of one kind in this version); use \"constant\"";
 }
 
 Objection rotation_of_rough_spheres(const Case& values) {
@@ -101,8 +91,6 @@ std::span<const Rule> grain_rules() {
       {{"collision.tangential_restitution", "collision.friction"}, tangential_restitution_alone},
       {{"collision.reduced_moment_of_inertia", "collision.friction", "system.dimension"},
        inertia_of_no_sphere},
-      {{"collision.restitution_law", "collision.friction", "polydispersity.spread"},
-       law_of_equal_spheres},
       {{"collision.rotation_angle", "collision.friction"}, rotation_of_rough_spheres},
       {{"system.dimension"}, rough_contact_on_a_line},
       {{"drive.kind"}, immobile_under_shear},

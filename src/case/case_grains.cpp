@@ -121,12 +121,13 @@ std::optional<ContactTable<Real>> contact_table_of(const Case& values) {
   const auto kinds = static_cast<std::int32_t>(std::max<std::size_t>(values.species.size(), 1));
   ContactTable<Real> table(kinds, of_all);
   for (const SpeciesContact& contact : values.contacts) {
-    table.set(
-        kind_named(contact.between[0], values), kind_named(contact.between[1], values),
-        constants_of<Real>(
-            contact.restitution.value_or(values.system.restitution),
-            contact.tangential_restitution.value_or(collision.tangential_restitution.value_or(-1)),
-            contact.friction.value_or(collision.friction.value_or(Friction{}))));
+    ContactConstants<Real> constants = constants_of<Real>(
+        contact.restitution.value_or(values.system.restitution),
+        contact.tangential_restitution.value_or(collision.tangential_restitution.value_or(-1)),
+        contact.friction.value_or(collision.friction.value_or(Friction{})));
+    constants.is_own = contact.restitution.has_value();
+    table.set(kind_named(contact.between[0], values), kind_named(contact.between[1], values),
+              constants);
   }
   return table;
 }
