@@ -10,11 +10,6 @@ namespace {
 
 using Objection = std::optional<std::string>;
 
-bool has_immobile(const Case& values) {
-  return std::any_of(values.species.begin(), values.species.end(),
-                     [](const Species& species) { return species.immobile; });
-}
-
 Objection friction_alone(const Case& values) {
   const auto& collision = values.collision;
   if (!collision.friction || collision.tangential_restitution) return std::nullopt;
@@ -60,18 +55,9 @@ Objection rough_contact_on_a_line(const Case& values) {
 }
 
 Objection immobile_under_shear(const Case& values) {
-  if (values.drive.kind != DriveKind::shear || !has_immobile(values)) return std::nullopt;
+  if (values.drive.kind != DriveKind::shear || !has_immobile_species(values)) return std::nullopt;
   return "(an immobile species would cut through the sliding images of the box); shear by immobile "
          "spheres that move or by [walls]";
-}
-
-Objection immobile_under_gravity(const Case& values) {
-  const auto pulls = [](double component) { return component != 0; };
-  const auto& acceleration = values.gravity.acceleration;
-  if (!has_immobile(values) || std::none_of(acceleration.begin(), acceleration.end(), pulls)) {
-    return std::nullopt;
-  }
-  return "(not together with an immobile species in this version); remove one of the two";
 }
 
 }  // namespace
@@ -93,8 +79,7 @@ std::span<const Rule> grain_rules() {
        inertia_of_no_sphere},
       {{"collision.rotation_angle", "collision.friction"}, rotation_of_rough_spheres},
       {{"system.dimension"}, rough_contact_on_a_line},
-      {{"drive.kind"}, immobile_under_shear},
-      {{"gravity.acceleration"}, immobile_under_gravity}};
+      {{"drive.kind"}, immobile_under_shear}};
   return rules;
 }
 

@@ -147,6 +147,11 @@ bool are_unit_spheres(const Case& values) {
          !values.collision.friction;
 }
 
+bool has_immobile_species(const Case& values) {
+  return std::any_of(values.species.begin(), values.species.end(),
+                     [](const Species& species) { return species.immobile; });
+}
+
 std::vector<std::int64_t> spheres_by_species(const Case& values) {
   const std::vector<Species> species = all_species(values);
   std::vector<std::int64_t> counts;

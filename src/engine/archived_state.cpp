@@ -130,7 +130,7 @@ template <int Dim, class Real>
 Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactRules<Real>& rules,
                                   const Surroundings<Dim, Real>& surroundings,
                                   ArchiveReader& archive)
-    : frame_(box, surroundings.acceleration),
+    : frame_(box, surroundings.common_acceleration()),
       spheres_(box, surroundings.acceleration - frame_.acceleration(), archive),
       rules_(rules),
       surroundings_(surroundings),

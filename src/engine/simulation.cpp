@@ -23,7 +23,7 @@ template <int Dim, class Real>
 Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                                   const ContactRules<Real>& rules,
                                   const Surroundings<Dim, Real>& surroundings)
-    : frame_(box, surroundings.acceleration),
+    : frame_(box, surroundings.common_acceleration()),
       spheres_(box, std::move(start), surroundings.acceleration - frame_.acceleration()),
       rules_(rules),
       surroundings_(surroundings),
@@ -32,6 +32,8 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, Configuration<
       span_(box.clock_unit()),
       rewind_bound_(box, surroundings.acceleration, spheres_.largest_diameter()) {
   assert(!surroundings.walls ? !box.closed_axis() : box.is_closed(surroundings.walls->axis));
+  assert(surroundings.all_fall ==
+         (grains().immobile.empty() || surroundings.acceleration == Vector{}));
   assert(!rules.table || grains().kind_count() <= rules.table->kinds());
   make_law();
   make_walls();
@@ -194,7 +196,8 @@ Neighbour Simulation<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const
 }
 
 /// The distance that two spheres, or a sphere and a wall, have to close from the last change of a
-/// velocity to their contact, diameters.
+/// velocity to their contact, diameters. Where one falls off the other and back it is that at the
+/// last change or, if that is wider, half-way.
 ///
 /// \param neighbour  the image that will be in contact
 /// \param contact    when that will be
@@ -205,7 +208,11 @@ Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j, N
       last_change_.remainder +
       (static_cast<Real>(last_change_.units) - static_cast<Real>(now_.units)) * box().clock_unit();
   if (const auto wall = this->wall(j)) return widest_wall_gap(i, *wall, when, contact);
-  return gap(spheres_.motion(i, neighbour, when).dr, spheres_.sigma(i, j));
+  const Real sigma = spheres_.sigma(i, j);
+  const Real then = gap(spheres_.motion(i, neighbour, when).dr, sigma);
+  if (!spheres_.fall_apart(i, j)) return then;
+  const Real half_way = when + (contact - when) / 2;
+  return std::max(then, gap(spheres_.motion(i, neighbour, half_way).dr, sigma));
 }
 
 /// Settles a sphere again; one that is late by rounding at once.

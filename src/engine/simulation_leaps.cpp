@@ -42,8 +42,9 @@ ShearedFlight<Dim> flight_between(const Configuration<Dim, Real>& state, std::si
 template <int Dim, class Real>
 void Simulation<Dim, Real>::leap() {
   constexpr int balls_each = 16;  // that are crossed, at least
-  // time_apart() knows upright grids and unit spheres only.
+  // time_apart() knows upright grids, unit spheres and straight ways only.
   if (spheres_.has_displaced_images() || !spheres_.are_of_one_size()) return;
+  if (spheres_.some_are_held()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Meeting<Real>& first = meetings(i).first();
     if (first.is_with_anybody() && is_stale(first)) predict(i);

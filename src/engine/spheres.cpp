@@ -43,6 +43,7 @@ Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains,
       cells_(box.cells()),
       acceleration_(acceleration),
       falls_(!(acceleration == Vector{})),
+      some_are_held_(falls_ && !grains.immobile.empty()),
       lanes_are_wide_(!falls_ && has_wide_lanes()),
       grains_(std::move(grains)),
       largest_(grains_.largest_diameter()),
@@ -289,9 +290,8 @@ Configuration<Dim, Real> Spheres<Dim, Real>::configuration(double units, const R
   const auto offsets =
       std::round(static_cast<double>(Real(unreduced - state.offset) / box_.sides()[0]));
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    Sphere sphere = spheres_[i];
+    Sphere sphere = copy_at(static_cast<std::int32_t>(i), when);
     Vec<Dim, double>& boxes = state.boxes[i];
-    advance(sphere, when);
     if (!box_.is_sheared()) boxes += brought_back(sphere, when);
     boxes += periods_of(go_home(sphere, when, {}));
     Vector position = sphere.position;

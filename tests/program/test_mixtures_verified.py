@@ -56,11 +56,17 @@ SHEAR = 'kind = "shear"\nshear_rate = 1'
 KICKS = 'kind = "random"\nnoise_strength = 0.1\nkick_interval = 0.07'
 WALLS = 'kind = "none"\n\n[walls]\naxis = "z"\nrestitution = 0.9\ntangential_restitution = 0.3\nupper_speed = 0.5'
 FLAT_WALLS = WALLS.replace('"z"', '"y"')
+PULL = "[gravity]\nacceleration = [0.2, 0, -1]"
+FALLING = 'kind = "none"\n\n[walls]\naxis = "z"\nrestitution = 0.9\n\n' + PULL
+FLAT_FALLING = FALLING.replace('"z"', '"y"').replace("[0.2, 0, -1]", "[0.2, -1]")
+OBSTACLES = '[[species]]\nname = "peg"\ndiameter = 1.1\nspheres = 20\nimmobile = true\n'
 
 
 def case(dimension=3, precision="double", collision=ROUGH, drive=SHEAR, species="", collisions=2000):
     text = MIXTURE.format(dimension=dimension, precision=precision, collision=collision, drive=drive,
                           species=species, collisions=collisions)
+    if species == OBSTACLES:
+        text = text.replace("share = 0.5", "spheres = 50")
     has_law = "restitution_law" in collision
     return text.replace("restitution = 0.9\nsolids", "solids") if has_law else text
 
@@ -95,6 +101,13 @@ SYSTEMS = {
     "two values": case(collision=f"{TWO_VALUED}\ncontact_duration = 0.02", drive=WALLS),
     "viscoelastic in quad": case(precision="quad", collision=VISCOELASTIC, collisions=600),
     "fixed loss in quad": case(precision="quad", collision=FIXED_LOSS, collisions=600),
+    "falling on obstacles": case(drive=FALLING, species=OBSTACLES),
+    "falling on obstacles, smooth": case(drive=FALLING, species=OBSTACLES, collision=""),
+    "disks falling on obstacles": case(dimension=2, drive=FLAT_FALLING, species=OBSTACLES),
+    "falling past obstacles for ever": case(drive=FALLING.split("[walls]")[0] + PULL,
+                                            species=OBSTACLES),
+    "falling on obstacles in quad": case(precision="quad", drive=FALLING, species=OBSTACLES,
+                                         collisions=400),
     "quad": case(precision="quad", collisions=600),
     "digits40": case(precision="digits40", collisions=300),
 }
