@@ -83,12 +83,12 @@ class Spheres {
   [[gnu::always_inline]] Vector position_at(const Sphere& sphere, const Real& when) const {
     const Real flight = when - sphere.time;
     Vector position = sphere.position + sphere.velocity * flight;
-    if (falls_) position += pull(sphere) * (flight * flight / 2);
+    if (is_pulled(sphere)) position += acceleration_ * (flight * flight / 2);
     return position;
   }
   Vector velocity_at(const Sphere& sphere, const Real& when) const {
-    if (!falls_) return sphere.velocity;
-    return sphere.velocity + pull(sphere) * (when - sphere.time);
+    if (!is_pulled(sphere)) return sphere.velocity;
+    return sphere.velocity + acceleration_ * (when - sphere.time);
   }
 
   /// Whether one of two spheres falls and the other does not: ways between them are not straight.
@@ -298,15 +298,18 @@ class Spheres {
   void require_possible(const Sphere& sphere) const;
   void read_images(ArchiveReader& archive);
   void read_spins(ArchiveReader& archive);
-  /// Of gravity on a sphere, diameters/time^2. A copy that is not stored here counts as one that
-  /// falls: it is made of a sphere as it is now, and does not fly.
-  const Vector& pull(const Sphere& sphere) const {
-    if (!some_are_held_) [[likely]]
-      return acceleration_;
-    const auto i = static_cast<std::size_t>(&sphere - spheres_.data());
-    const bool is_held = i < spheres_.size() && grains_.immobile[i] != 0;
-    return is_held ? no_pull_ : acceleration_;
+  /// Whether gravity pulls a sphere.
+  bool is_pulled(const Sphere& sphere) const {
+    return falls_ && (!some_are_held_ || !is_held(sphere));
   }
+  /// Whether a sphere is immobile. A copy that is not stored here is not: it is made of a sphere as
+  /// it is now, and does not fly. Not inlined, so that it costs nothing where all fall.
+  [[gnu::noinline, gnu::cold]] bool is_held(const Sphere& sphere) const {
+    const auto i = static_cast<std::size_t>(&sphere - spheres_.data());
+    return i < spheres_.size() && grains_.immobile[i] != 0;
+  }
+  /// Of gravity on a sphere, diameters/time^2.
+  Vector pull(const Sphere& sphere) const { return is_pulled(sphere) ? acceleration_ : Vector{}; }
   Viewpoint<Dim, Real> viewpoint(std::int32_t i, const Real& when) const {
     return {position_at((*this)[i], when), velocity_at((*this)[i], when), when};
   }
@@ -349,7 +352,6 @@ class Spheres {
   ShearBox<Dim, Real> box_;
   SlidingCells<Dim> cells_;
   Vector acceleration_;
-  Vector no_pull_;       ///< on those that are immobile
   bool falls_;           ///< the acceleration is not zero
   bool some_are_held_;   ///< and some are immobile
   bool lanes_are_wide_;  ///< contacts are found four at a time
