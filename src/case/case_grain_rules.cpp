@@ -10,15 +10,6 @@ namespace {
 
 using Objection = std::optional<std::string>;
 
-bool are_different(const Case& values) {
-  return !values.species.empty() || values.polydispersity.spread > 0;
-}
-
-bool has_immobile(const Case& values) {
-  return std::any_of(values.species.begin(), values.species.end(),
-                     [](const Species& species) { return species.immobile; });
-}
-
 Objection friction_alone(const Case& values) {
   const auto& collision = values.collision;
   if (!collision.friction || collision.tangential_restitution) return std::nullopt;
@@ -47,12 +38,6 @@ Objection inertia_of_no_sphere(const Case& values) {
   return "(without friction nothing turns); remove it, or add collision.friction";
 }
 
-Objection law_of_equal_spheres(const Case& values) {
-  if (values.collision.restitution_law == RestitutionLaw::constant) return std::nullopt;
-  if (!are_different(values) && !is_rough(values)) return std::nullopt;
-  return "(only for smooth unit spheres of one kind in this version); use \"constant\"";
-}
-
 Objection rotation_of_rough_spheres(const Case& values) {
   if (values.collision.rotation_angle == 0 || !is_rough(values)) return std::nullopt;
   return "(not together with friction); remove one of the two";
@@ -70,18 +55,9 @@ Objection rough_contact_on_a_line(const Case& values) {
 }
 
 Objection immobile_under_shear(const Case& values) {
-  if (values.drive.kind != DriveKind::shear || !has_immobile(values)) return std::nullopt;
+  if (values.drive.kind != DriveKind::shear || !has_immobile_species(values)) return std::nullopt;
   return "(an immobile species would cut through the sliding images of the box); shear by immobile "
          "spheres that move or by [walls]";
-}
-
-Objection immobile_under_gravity(const Case& values) {
-  const auto pulls = [](double component) { return component != 0; };
-  const auto& acceleration = values.gravity.acceleration;
-  if (!has_immobile(values) || std::none_of(acceleration.begin(), acceleration.end(), pulls)) {
-    return std::nullopt;
-  }
-  return "(not together with an immobile species in this version); remove one of the two";
 }
 
 }  // namespace
@@ -101,12 +77,9 @@ std::span<const Rule> grain_rules() {
       {{"collision.tangential_restitution", "collision.friction"}, tangential_restitution_alone},
       {{"collision.reduced_moment_of_inertia", "collision.friction", "system.dimension"},
        inertia_of_no_sphere},
-      {{"collision.restitution_law", "collision.friction", "polydispersity.spread"},
-       law_of_equal_spheres},
       {{"collision.rotation_angle", "collision.friction"}, rotation_of_rough_spheres},
       {{"system.dimension"}, rough_contact_on_a_line},
-      {{"drive.kind"}, immobile_under_shear},
-      {{"gravity.acceleration"}, immobile_under_gravity}};
+      {{"drive.kind"}, immobile_under_shear}};
   return rules;
 }
 

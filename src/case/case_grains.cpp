@@ -121,12 +121,13 @@ std::optional<ContactTable<Real>> contact_table_of(const Case& values) {
   const auto kinds = static_cast<std::int32_t>(std::max<std::size_t>(values.species.size(), 1));
   ContactTable<Real> table(kinds, of_all);
   for (const SpeciesContact& contact : values.contacts) {
-    table.set(
-        kind_named(contact.between[0], values), kind_named(contact.between[1], values),
-        constants_of<Real>(
-            contact.restitution.value_or(values.system.restitution),
-            contact.tangential_restitution.value_or(collision.tangential_restitution.value_or(-1)),
-            contact.friction.value_or(collision.friction.value_or(Friction{}))));
+    ContactConstants<Real> constants = constants_of<Real>(
+        contact.restitution.value_or(values.system.restitution),
+        contact.tangential_restitution.value_or(collision.tangential_restitution.value_or(-1)),
+        contact.friction.value_or(collision.friction.value_or(Friction{})));
+    constants.is_own = contact.restitution.has_value();
+    table.set(kind_named(contact.between[0], values), kind_named(contact.between[1], values),
+              constants);
   }
   return table;
 }
@@ -144,6 +145,11 @@ double reduced_moment_of_inertia(const Case& values) {
 bool are_unit_spheres(const Case& values) {
   return values.species.empty() && values.contacts.empty() && !is_polydisperse(values) &&
          !values.collision.friction;
+}
+
+bool has_immobile_species(const Case& values) {
+  return std::any_of(values.species.begin(), values.species.end(),
+                     [](const Species& species) { return species.immobile; });
 }
 
 std::vector<std::int64_t> spheres_by_species(const Case& values) {

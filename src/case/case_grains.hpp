@@ -28,6 +28,9 @@ double reduced_moment_of_inertia(const Case& values);
 /// Whether all are smooth unit spheres of one kind that collide at one restitution law.
 bool are_unit_spheres(const Case& values);
 
+/// Whether there are obstacles among the spheres.
+bool has_immobile_species(const Case& values);
+
 /// Number of spheres of each species, in their order; they add up to system.spheres. Shares are
 /// rounded down, and those that lose most get one of the spheres left over.
 ///

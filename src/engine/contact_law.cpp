@@ -34,6 +34,19 @@ Vec<3, Real> random_normal(const Vec<3, Real>& direction, Random& random) {
   }
 }
 
+/// What the laws of restitution have to know of the two spheres.
+template <int Dim, class Real>
+CollidingPair<Real> pair_of(const Collision<Dim, Real>& collision, const Grains<Real>& grains) {
+  const std::int32_t i = collision.i;
+  const std::int32_t j = collision.j;
+  CollidingPair<Real> pair{.inverse_masses = grains.inverse_mass(i) + grains.inverse_mass(j)};
+  if (grains.diameters.empty()) return pair;
+  const Real size = grains.diameter(i);
+  const Real other = grains.diameter(j);
+  pair.diameter = 2 * size * other / (size + other);
+  return pair;
+}
+
 }  // namespace
 
 template <int Dim, class Real>
@@ -64,7 +77,7 @@ void ContactLaw<Dim, Real>::collide(Collision<Dim, Real>& collision,
   collision.made_elastic = lasts;
   const ContactConstants<Real> constants =
       rules_.constants(grains.kind(collision.i), grains.kind(collision.j));
-  const Real restitution = this->restitution(collision, constants);
+  const Real restitution = this->restitution(collision, constants, grains);
   const Real inverse_masses = grains.inverse_mass(collision.i) + grains.inverse_mass(collision.j);
   impact.impulse = normal_impulse(impact.normal_speed, restitution, inverse_masses);
   collision.change = impact.normal * -impact.impulse;
@@ -107,12 +120,15 @@ void ContactLaw<Dim, Real>::bounce(Collision<Dim, Real>& collision, Walls<Real> 
 /// The coefficient of restitution of a pair that approaches.
 template <int Dim, class Real>
 Real ContactLaw<Dim, Real>::restitution(const Collision<Dim, Real>& collision,
-                                        const ContactConstants<Real>& constants) const {
+                                        const ContactConstants<Real>& constants,
+                                        const Grains<Real>& grains) const {
   const Real& speed = collision.impact.normal_speed;
+  const auto& models = rules_.models;
   if (collision.made_elastic) return 1;
-  if (rules_.models.fixed_loss) return (*rules_.models.fixed_loss)(speed);
-  if (rules_.models.two_valued) return (*rules_.models.two_valued)(speed);
-  if (rules_.models.viscoelastic) return (*rules_.models.viscoelastic)(speed);
+  if (constants.is_own) return constants.restitution;
+  if (models.fixed_loss) return (*models.fixed_loss)(speed, pair_of(collision, grains));
+  if (models.two_valued) return (*models.two_valued)(speed);
+  if (models.viscoelastic) return (*models.viscoelastic)(speed, pair_of(collision, grains));
   return constants.restitution;
 }
 

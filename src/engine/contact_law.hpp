@@ -92,8 +92,8 @@ class ContactLaw {
 
  private:
   bool is_lasting(const Collision<Dim, Real>& collision, std::int32_t sphere) const;
-  Real restitution(const Collision<Dim, Real>& collision,
-                   const ContactConstants<Real>& constants) const;
+  Real restitution(const Collision<Dim, Real>& collision, const ContactConstants<Real>& constants,
+                   const Grains<Real>& grains) const;
   void rub(Collision<Dim, Real>& collision, const Vector& dv, const Spin<Dim, Real>& turning,
            const Real& inverse_masses, const ContactConstants<Real>& constants) const;
   void rotate(Collision<Dim, Real>& collision, const Vector& dv, const Real& inverse_masses);

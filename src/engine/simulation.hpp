@@ -36,8 +36,8 @@ class Simulation {
   /// \param start         equally many positions and velocities, at least one; its boxes count for
   ///                      nothing, its offset must be 0 where the box is closed along x or y. Rough
   ///                      spheres that it gives no spins do not turn yet
-  /// \param surroundings  with walls exactly where the box is closed; no gravity where spheres are
-  ///                      immobile: paths between them and those that fall would not be straight
+  /// \param surroundings  with walls exactly where the box is closed; not all fall where gravity
+  ///                      pulls some and others are immobile
   /// Throws std::invalid_argument where cells are not wide enough for the largest sphere.
   Simulation(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
              const ContactRules<Real>& rules, const Surroundings<Dim, Real>& surroundings = {});

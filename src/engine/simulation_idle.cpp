@@ -101,8 +101,9 @@ void Simulation<Dim, Real>::move_frame(const Vector& change) {
 template <int Dim, class Real>
 void Simulation<Dim, Real>::leap() {
   constexpr int balls_each = 16;  // that are crossed, at least
-  // time_apart() knows upright grids and unit spheres only.
+  // time_apart() knows upright grids, unit spheres and straight ways only.
   if (system_.spheres.has_displaced_images() || !system_.spheres.are_of_one_size()) return;
+  if (system_.spheres.some_are_held()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Meeting<Real>& first = predictor_.meetings(i).first();
     if (first.is_with_anybody() && predictor_.is_stale(first, system_))

@@ -52,7 +52,7 @@ class Spheres {
   ///
   /// Throws std::invalid_argument where cells are not wide enough for the largest sphere.
   ///
-  /// \param acceleration  of every sphere, diameters/time^2
+  /// \param acceleration  of every sphere that is not immobile, diameters/time^2
   Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
           const Vector& acceleration);
 
@@ -88,19 +88,35 @@ class Spheres {
   [[gnu::always_inline]] Vector position_at(const Sphere& sphere, const Real& when) const {
     const Real flight = when - sphere.time;
     Vector position = sphere.position + sphere.velocity * flight;
-    if (falls_) position += acceleration_ * (flight * flight / 2);
+    if (is_pulled(sphere)) position += acceleration_ * (flight * flight / 2);
     return position;
   }
   Vector velocity_at(const Sphere& sphere, const Real& when) const {
-    if (!falls_) return sphere.velocity;
+    if (!is_pulled(sphere)) return sphere.velocity;
     return sphere.velocity + acceleration_ * (when - sphere.time);
   }
+
+  /// Whether one of two spheres falls and the other does not: ways between them are not straight.
+  bool fall_apart(std::int32_t i, std::int32_t j) const {
+    return some_are_held_ && grains_.is_immobile(i) != grains_.is_immobile(j);
+  }
+  /// Whether there are such.
+  bool some_are_held() const { return some_are_held_; }
 
   /// Stores the sphere as it is at `when`.
   void advance(Sphere& sphere, const Real& when) const {
     sphere.position = position_at(sphere, when);
     sphere.velocity = velocity_at(sphere, when);
     sphere.time = when;
+  }
+
+  /// A sphere as it is at `when`.
+  Sphere copy_at(std::int32_t i, const Real& when) const {
+    Sphere copy = (*this)[i];
+    copy.position = position_at((*this)[i], when);
+    copy.velocity = velocity_at((*this)[i], when);
+    copy.time = when;
+    return copy;
   }
 
   /// How i sees j, a neighbour; in a narrow box, where several ways lead there, the nearest one.
@@ -279,7 +295,7 @@ class Spheres {
   typename SlidingCells<Dim>::Reach columns_within_reach(double place, const Slides& slid) const;
   void find_images();
   Real time_in_ball(const Vector& away, const Vector& velocity) const;
-  Real time_in_cube(const Vector& away, const Vector& velocity) const;
+  Real time_in_cube(const Vector& away, const Vector& velocity, const Vector& pull) const;
   /// Half the side of the cube inside the ball that is within reach, diameters.
   double reach_along_axes() const { return settling_.reach / std::sqrt(double{Dim}); }
   Neighbour nearest_image(std::int32_t i, std::int32_t j, const Real& when) const;
@@ -287,6 +303,18 @@ class Spheres {
   void require_possible(const Sphere& sphere) const;
   void read_images(ArchiveReader& archive);
   void read_spins(ArchiveReader& archive);
+  /// Whether gravity pulls a sphere.
+  bool is_pulled(const Sphere& sphere) const {
+    return falls_ && (!some_are_held_ || !is_held(sphere));
+  }
+  /// Whether a sphere is immobile. A copy that is not stored here is not: it is made of a sphere as
+  /// it is now, and does not fly. Not inlined, so that it costs nothing where all fall.
+  [[gnu::noinline, gnu::cold]] bool is_held(const Sphere& sphere) const {
+    const auto i = static_cast<std::size_t>(&sphere - spheres_.data());
+    return i < spheres_.size() && grains_.immobile[i] != 0;
+  }
+  /// Of gravity on a sphere, diameters/time^2.
+  Vector pull(const Sphere& sphere) const { return is_pulled(sphere) ? acceleration_ : Vector{}; }
   Viewpoint<Dim, Real> viewpoint(std::int32_t i, const Real& when) const {
     return {position_at((*this)[i], when), velocity_at((*this)[i], when), when};
   }
@@ -330,6 +358,7 @@ class Spheres {
   SlidingCells<Dim> cells_;
   Vector acceleration_;
   bool falls_;           ///< the acceleration is not zero
+  bool some_are_held_;   ///< and some are immobile
   bool lanes_are_wide_;  ///< contacts are found four at a time
   Grains<Real> grains_;
   std::vector<Spin<Dim, Real>> spins_;

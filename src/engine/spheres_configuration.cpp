@@ -88,9 +88,8 @@ Configuration<Dim, Real> Spheres<Dim, Real>::configuration(double units, const R
   const auto offsets =
       std::round(static_cast<double>(Real(unreduced - state.offset) / box_.sides()[0]));
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    Sphere sphere = spheres_[i];
+    Sphere sphere = copy_at(static_cast<std::int32_t>(i), when);
     Vec<Dim, double>& boxes = state.boxes[i];
-    advance(sphere, when);
     if (!box_.is_sheared()) boxes += brought_back(sphere, when);
     boxes += periods_of(go_home(sphere, when, {}));
     Vector position = sphere.position;

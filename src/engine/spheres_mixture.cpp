@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/spheres.hpp"
+#include "model/falling_contact.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
@@ -31,7 +32,10 @@ void Spheres<Dim, Real>::find_contacts_of(std::int32_t i, std::span<const Neighb
       const auto rough_sigma = static_cast<double>(sigma);
       if (!falls_ && roughly.misses((*this)[j], image(neighbour.way()), rough_sigma)) continue;
     }
-    const auto contact = zenosphere::contact(motion_from(here, neighbour), sigma);
+    const auto motion = motion_from(here, neighbour);
+    const auto contact = fall_apart(i, j)
+                             ? falling_contact(motion, pull((*this)[j]) - pull((*this)[i]), sigma)
+                             : zenosphere::contact(motion, sigma);
     if (contact) ahead.add(j, *contact);
   }
 }

@@ -47,7 +47,8 @@ Real Spheres<Dim, Real>::unsettled_at(std::int32_t i, const Real& when, const Re
     const Real reach = Real(settling_.reach);
     if (dot(then, then) < reach * reach) return expires;
   }
-  const Real left = when + (falls_ ? time_in_cube(away, velocity) : time_in_ball(away, velocity));
+  const Real left =
+      when + (falls_ ? time_in_cube(away, velocity, pull(sphere)) : time_in_ball(away, velocity));
   return left < expires ? left : expires;
 }
 
@@ -69,14 +70,14 @@ Real Spheres<Dim, Real>::time_in_ball(const Vector& away, const Vector& velocity
 
 /// Time until a falling sphere leaves the cube inside that ball.
 template <int Dim, class Real>
-Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity) const {
+Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity,
+                                      const Vector& pull) const {
   const Real half = Real(reach_along_axes());
   Real first = std::numeric_limits<Real>::infinity();
   for (int axis = 0; axis < Dim; ++axis) {
     for (const int direction : {-1, 1}) {
-      const auto time =
-          closing_time<Real>(half - direction * away[axis], -direction * velocity[axis],
-                             -direction * acceleration_[axis]);
+      const auto time = closing_time<Real>(half - direction * away[axis],
+                                           -direction * velocity[axis], -direction * pull[axis]);
       if (time && *time < first) first = *time;
     }
   }

@@ -11,17 +11,18 @@ namespace zenosphere {
 template <int Dim, class Real>
 System<Dim, Real>::System(const ShearBox<Dim, Real>& box, Configuration<Dim, Real> start,
                           const Surroundings<Dim, Real>& around)
-    : frame(box, around.acceleration),
+    : frame(box, around.common_acceleration()),
       spheres(box, std::move(start), around.acceleration - frame.acceleration()),
       surroundings(around),
       clock(box.clock_unit()) {
+  assert(around.all_fall == (spheres.grains().immobile.empty() || around.acceleration == Vector{}));
   make_walls();
 }
 
 template <int Dim, class Real>
 System<Dim, Real>::System(const ShearBox<Dim, Real>& box, const Surroundings<Dim, Real>& around,
                           ArchiveReader& archive)
-    : frame(box, around.acceleration),
+    : frame(box, around.common_acceleration()),
       spheres(box, around.acceleration - frame.acceleration(), archive),
       surroundings(around),
       clock(box.clock_unit()) {

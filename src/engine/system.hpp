@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -72,14 +73,19 @@ struct System {
     return wall(j) ? Neighbour() : spheres.neighbour(i, j, when);
   }
   /// The distance that two spheres, or a sphere and a wall, have to close from a moment on to their
-  /// contact, diameters.
+  /// contact, diameters. Where one falls off the other and back it is that at the moment or, if
+  /// that is wider, half-way.
   ///
   /// \param neighbour  the image that will be in contact
   /// \param contact    when that will be
   Real gap_to_close(std::int32_t i, std::int32_t j, Neighbour neighbour, const Real& from,
                     const Real& contact) const {
     if (const auto wall = this->wall(j)) return widest_wall_gap(i, *wall, from, contact);
-    return gap(spheres.motion(i, neighbour, from).dr, spheres.sigma(i, j));
+    const Real sigma = spheres.sigma(i, j);
+    const Real then = gap(spheres.motion(i, neighbour, from).dr, sigma);
+    if (!spheres.fall_apart(i, j)) return then;
+    const Real half_way = from + (contact - from) / 2;
+    return std::max(then, gap(spheres.motion(i, neighbour, half_way).dr, sigma));
   }
 
   /// Place of a sphere's surface above where the lower wall is, or is at its lowest, diameters.

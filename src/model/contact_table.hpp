@@ -16,6 +16,7 @@ struct ContactConstants {
   Real tangential_restitution = -1;  ///< beta0, of the surfaces while they stick, in [-1, 1]; -1:
                                      ///< smooth
   Real friction = 0;                 ///< mu >= 0; infinity: they always stick
+  bool is_own = false;  ///< the restitution is this one, whatever law the other pairs follow
 
   /// Whether anything but the normal velocity changes.
   bool is_rough() const { return tangential_restitution > -1 && friction > 0; }

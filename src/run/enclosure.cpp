@@ -137,11 +137,6 @@ PairRestitutions restitutions_of(const Alone<Dim, Real>& cluster, const Grains<R
   return result;
 }
 
-bool has_immobile_species(const Case& values) {
-  return std::any_of(values.species.begin(), values.species.end(),
-                     [](const Species& species) { return species.immobile; });
-}
-
 }  // namespace
 
 std::optional<std::int64_t> place_to_enclose(const Case& values, const JudgedApproach& approach) {

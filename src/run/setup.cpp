@@ -155,6 +155,8 @@ Surroundings<Dim, Real> surroundings_of(const Case& values) {
     surroundings.acceleration[static_cast<int>(axis)] =
         from_decimal<Real>(values.gravity.acceleration[axis]);
   }
+  surroundings.all_fall =
+      surroundings.acceleration == Vec<Dim, Real>{} || !has_immobile_species(values);
   if (values.walls.axis) {
     surroundings.walls = Walls<Real>{
         .axis = static_cast<int>(*values.walls.axis),

@@ -112,20 +112,22 @@ void add_plate(const Case& values, AlignedLines& lines) {
 }
 
 template <class Restitution>
-void add_restitution(const Restitution& restitution, AlignedLines& lines) {
+void add_restitution(const Restitution& restitution, std::string_view whose, AlignedLines& lines) {
   for (const double speed : {1.0, 0.01}) {
-    lines.add(fmt::format("restitution at the speed {:g}", speed), restitution(speed));
+    lines.add(fmt::format("restitution at the speed {:g}", speed), restitution(speed), whose);
   }
 }
 
 void add_contact(const Case& values, AlignedLines& lines) {
   const auto& collision = values.collision;
+  const std::string whose = grains_of(values).are_alike() ? "" : "of two unit spheres";
   if (collision.restitution_law == RestitutionLaw::fixed_loss) {
-    lines.add("energy lost above the speed", 2 * std::sqrt(collision.energy_loss),
-              "diameters/time");
-    add_restitution(FixedLossRestitution<double>(collision.energy_loss), lines);
+    const FixedLossRestitution<double> restitution(collision.energy_loss);
+    lines.add("energy lost above the speed", restitution.threshold(),
+              "diameters/time" + (whose.empty() ? "" : ", " + whose));
+    add_restitution(restitution, whose, lines);
   } else if (collision.restitution_law == RestitutionLaw::viscoelastic) {
-    add_restitution(ViscoelasticRestitution<double>(collision.viscoelastic_constant), lines);
+    add_restitution(ViscoelasticRestitution<double>(collision.viscoelastic_constant), whose, lines);
   }
 }
 

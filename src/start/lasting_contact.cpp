@@ -32,6 +32,7 @@ std::optional<LastingContact> lasting_contact(const Case& values, const GivenSta
   const auto components = static_cast<std::size_t>(start.dimension);
   for (std::size_t at = axis; at < start.positions.size(); at += components) {
     const std::size_t sphere = at / components;
+    if (start.grains.is_immobile(static_cast<std::int32_t>(sphere))) continue;
     if (!start.velocities.empty() && start.velocities[at] != 0) continue;
     const double radius = start.grains.radius(static_cast<std::int32_t>(sphere));
     const bool is_low = is_held_low && start.positions[at] <= radius;

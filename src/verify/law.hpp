@@ -8,7 +8,6 @@
 
 #include "case/case.hpp"
 #include "case/case_grains.hpp"
-#include "model/contact_models.hpp"
 #include "model/contact_table.hpp"
 #include "model/grains.hpp"
 #include "storage/records.hpp"
@@ -35,7 +34,7 @@ class Law {
                     values.walls.upper_temperature.has_value()} {
     const auto& collision = values.collision;
     if (collision.restitution_law == RestitutionLaw::viscoelastic) {
-      viscoelastic_.emplace(in_precision(collision.viscoelastic_constant, collision.precision));
+      viscoelastic_constant_ = in_precision(collision.viscoelastic_constant, collision.precision);
     } else if (collision.restitution_law == RestitutionLaw::fixed_loss) {
       fixed_loss_ = in_precision(collision.energy_loss, collision.precision);
     } else if (collision.restitution_law == RestitutionLaw::two_valued) {
@@ -77,11 +76,12 @@ class Law {
   Number restitution(const CollisionRow& row) const {
     if ((row.flags & collision_flag::made_elastic) != 0) return 1;
     if (row.j >= spheres_) return wall_restitution_;
+    if (has_own_restitution(row)) return constants(row).restitution;
     if (fixed_loss_ > 0) return parting_speed(row) / row.normal_speed;
     if (two_valued_) {
       return row.normal_speed < two_valued_->threshold ? two_valued_->slow : two_valued_->fast;
     }
-    if (viscoelastic_) return (*viscoelastic_)(row.normal_speed);
+    if (viscoelastic_constant_ > 0) return soft_restitution(row);
     return table_ ? constants(row).restitution : restitution_;
   }
 
@@ -97,7 +97,8 @@ class Law {
   /// mass diameter/time: the speed after a collision just above a fixed loss is a small difference.
   Number impulse_error(const CollisionRow& row) const {
     if (!loses_fixed_energy(row)) return 0;
-    return double_rounding * row.normal_speed * row.normal_speed / parting_speed(row);
+    const Number square = Number(row.normal_speed) * row.normal_speed;
+    return 2 / inverse_masses(row) * double_rounding * square / parting_speed(row);
   }
 
   /// Energy that a collision takes, mass diameter^2/time^2; a rotation takes none.
@@ -125,24 +126,57 @@ class Law {
     for (std::int32_t a = 0; a < table->kinds(); ++a) {
       for (std::int32_t b = 0; b <= a; ++b) {
         const auto& of = table->of(a, b);
-        same.set(a, b, {of.restitution, of.tangential_restitution, of.friction});
+        same.set(a, b, {of.restitution, of.tangential_restitution, of.friction, of.is_own});
       }
     }
     return same;
   }
 
-  /// Whether the case has a fixed loss that applies to a collision of two spheres: the kinetic
-  /// energy of their normal motion, v^2/4, exceeds it.
-  bool loses_fixed_energy(const CollisionRow& row) const {
-    const bool is_of_spheres = row.j < spheres_;
+  /// Whether two spheres are of kinds to which the case gives a restitution of their own.
+  bool has_own_restitution(const CollisionRow& row) const {
+    return table_ && constants(row).is_own;
+  }
+
+  /// Whether the case has a law for two spheres that is not overruled by their kinds, or by a
+  /// contact that lasts.
+  bool follows_law(const CollisionRow& row) const {
     const bool lasts = (row.flags & collision_flag::made_elastic) != 0;
-    return fixed_loss_ > 0 && is_of_spheres && !lasts && excess(row) > 0;
+    return row.j < spheres_ && !lasts && !has_own_restitution(row);
+  }
+
+  /// Whether the case has a fixed loss that applies to a collision of two spheres: the kinetic
+  /// energy of their normal motion, m_n v^2/2, exceeds it.
+  bool loses_fixed_energy(const CollisionRow& row) const {
+    return fixed_loss_ > 0 && follows_law(row) && excess(row) > 0;
   }
 
   /// Energy left after a fixed loss, as a squared speed, (diameters/time)^2.
   Number excess(const CollisionRow& row) const {
     const Number speed = row.normal_speed;
-    return speed * speed - 4 * fixed_loss_;
+    return speed * speed - squared_threshold(row);
+  }
+
+  /// Square of the speed at which a fixed loss is all of the kinetic energy, (diameters/time)^2.
+  Number squared_threshold(const CollisionRow& row) const {
+    return 2 * fixed_loss_ * inverse_masses(row);
+  }
+
+  /// That of two viscoelastic spheres, whose equation of motion is
+  /// m_n x'' = -sqrt(R) (x^(3/2) + A' sqrt(x) x') in the units of their material.
+  Number soft_restitution(const CollisionRow& row) const {
+    constexpr Number c1 = 1.1534488580952884L;
+    constexpr Number c2 = 2 * c1 * c1 / 5;
+    constexpr Number c3 = 4 / (15 * c2);
+    const Number radius = grains_.diameter(row.i) / 2;
+    const Number other = grains_.diameter(row.j) / 2;
+    const Number reduced_radius = 1 / (1 / radius + 1 / other);
+    // In units of those of two unit spheres, 1/4 and 1/2.
+    const Number stiffness = std::sqrt(4 * reduced_radius);
+    const Number mass = 2 / inverse_masses(row);
+    const Number softness = viscoelastic_constant_ * std::pow(stiffness / mass, 0.4L) *
+                            std::pow(Number(row.normal_speed), 0.2L);
+    const Number beginning = 1 + c3 * std::sqrt(softness);
+    return beginning / (beginning * (1 + c1 * softness) + c2 * softness * softness);
   }
 
   Number parting_speed(const CollisionRow& row) const {
@@ -151,12 +185,13 @@ class Law {
 
   /// Whether the rounding of the logged speed hides on which side of a threshold it was.
   bool is_borderline(const CollisionRow& row) const {
-    if (two_valued_ && !two_valued_->is_exact && row.j < spheres_) {
+    if (!follows_law(row)) return false;
+    if (two_valued_ && !two_valued_->is_exact) {
       const Number& threshold = two_valued_->threshold;
       return std::abs(row.normal_speed - threshold) <= double_rounding * threshold;
     }
-    return fixed_loss_ > 0 && row.j < spheres_ && excess(row) != 0 &&
-           std::abs(excess(row)) <= 16 * double_rounding * fixed_loss_;
+    return fixed_loss_ > 0 && excess(row) != 0 &&
+           std::abs(excess(row)) <= 4 * double_rounding * squared_threshold(row);
   }
 
   /// The restitution below a speed and from there on.
@@ -175,9 +210,9 @@ class Law {
   Number restitution_;
   Number wall_restitution_;
   bool rotates_;
-  std::array<bool, 2> is_thermal_;  ///< the lower and the upper wall
-  Number fixed_loss_ = 0;           ///< 0: not the law of this case
-  std::optional<ViscoelasticRestitution<Number>> viscoelastic_;
+  std::array<bool, 2> is_thermal_;    ///< the lower and the upper wall
+  Number fixed_loss_ = 0;             ///< 0: not the law of this case
+  Number viscoelastic_constant_ = 0;  ///< of two unit spheres; 0: not the law of this case
   std::optional<TwoValues> two_valued_;
 };
 

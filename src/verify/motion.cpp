@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/case_box.hpp"
+#include "case/case_grains.hpp"
 #include "model/instantiate.hpp"
 #include "model/real.hpp"
 
@@ -25,7 +26,8 @@ long double in_precision(double value, Precision precision) {
 
 template <int Dim>
 Motion<Dim>::Motion(const Case& values, std::int64_t spheres, Number largest)
-    : closed_(zenosphere::closed_axis(values)),
+    : some_are_held_(has_immobile_species(values)),
+      closed_(zenosphere::closed_axis(values)),
       shear_rate_(in_precision(values.drive.shear_rate, values.collision.precision)),
       rounding_(rounding_of(values.collision.precision)),
       spheres_(static_cast<Number>(spheres)) {
@@ -74,7 +76,7 @@ template <int Dim>
 typename Motion<Dim>::Number Motion<Dim>::frame_speed(Number time) const {
   Vector fall;
   for (int axis = 0; axis < Dim; ++axis) {
-    if (is_free(axis)) fall[axis] = acceleration_[axis] * (time - start_time_);
+    if (frame_falls(axis)) fall[axis] = acceleration_[axis] * (time - start_time_);
   }
   return drift_ + length(fall);
 }
@@ -95,16 +97,17 @@ typename Motion<Dim>::Number Motion<Dim>::clock_error(Number time) const {
 template <int Dim>
 Body<Dim> Motion<Dim>::moved(Body<Dim> body, Number time) const {
   const Number flight = time - body.time;
-  body.position += body.velocity * flight + acceleration_ * (flight * flight / 2);
+  const Vector pull = body.is_held ? Vector{} : acceleration_;
+  body.position += body.velocity * flight + pull * (flight * flight / 2);
   const Number speed = length(body.velocity) + frame_speed(time);
-  body.velocity += acceleration_ * flight;
+  body.velocity += pull * flight;
   body.time = time;
   if (body.position_error == unknown) return body;
   // The engine rounds at the end of a flight and at each cell that it passes.
   const Number roundings = 1 + Dim * speed * std::abs(flight);
   body.position_error +=
       std::abs(flight) * body.velocity_error + roundings * 2 * rounding_ * longest_;
-  body.velocity_error += roundings * 2 * rounding_ * (speed + length(acceleration_) * flight);
+  body.velocity_error += roundings * 2 * rounding_ * (speed + length(pull) * flight);
   return body;
 }
 

@@ -30,6 +30,7 @@ struct Body {
   long double position_error = 0;  ///< diameters; infinity: nothing is known
   long double velocity_error = 0;  ///< diameters/time
   long double radius = 0.5L;       ///< diameters
+  bool is_held = false;            ///< immobile: gravity does not pull it
 };
 
 /// Two spheres, or one and a wall, as they meet.
@@ -120,11 +121,14 @@ class Motion {
   Number storage_error() const { return storage_error_; }
 
  private:
+  /// Whether the engine's frame falls: with all spheres, so not where some are immobile.
+  bool frame_falls(int axis) const { return is_free(axis) && !some_are_held_; }
   bool is_free(int axis) const { return shear_rate_ == 0 && closed_ != axis; }
   Number frame_speed(Number time) const;
 
   Vector sides_;
   Vector acceleration_;
+  bool some_are_held_;
   std::optional<int> closed_;
   Number shear_rate_;
   Number rounding_;           ///< relative, of the engine

@@ -54,8 +54,9 @@ void Replay<Dim>::start(const Snapshot& snapshot) {
       position[axis] = snapshot.positions[at];
       velocity[axis] = snapshot.velocities[at];
     }
-    const Number radius = grains_.radius(static_cast<std::int32_t>(i));
-    bodies_[i] = motion_.stored(position, velocity, snapshot.time, radius);
+    const auto sphere = static_cast<std::int32_t>(i);
+    bodies_[i] = motion_.stored(position, velocity, snapshot.time, grains_.radius(sphere));
+    bodies_[i].is_held = grains_.is_immobile(sphere);
   }
   start_turning(snapshot);
 }

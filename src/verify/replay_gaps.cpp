@@ -22,7 +22,15 @@ typename Replay<Dim>::Gap Replay<Dim>::gap_before(const CollisionRow& row) {
   if (const auto side = wall(row.j)) return apex(then, *side);
   const Meeting<Dim> contact = meeting_at(row, row.time, row.time);
   if (!(contact.error <= motion_.shortest_side() / 4)) return {then.gap, Motion<Dim>::unknown};
-  return {then.gap, (then.error + flown) / then.sigma + 4 * double_rounding * std::abs(then.gap)};
+  const auto gap_of = [&](const Meeting<Dim>& meeting) {
+    return Gap{meeting.gap, (meeting.error + flown) / meeting.sigma +
+                                4 * double_rounding * std::abs(meeting.gap)};
+  };
+  const Gap gap = gap_of(then);
+  if (body(row.i).is_held == body(row.j).is_held) return gap;
+  // One falls off the other and back: the wider one of the gaps then and half-way.
+  const Gap half_way = gap_of(meeting_at(row, (last_change_ + Number(row.time)) / 2, row.time));
+  return {std::max(gap.value, half_way.value), std::max(gap.error, half_way.error)};
 }
 
 /// The same as files of the first version have it: where the two were nearest then. Of spheres far

@@ -48,15 +48,32 @@ collisions = {collisions}
 snapshot_interval = 0.13
 """
 ROUGH = "tangential_restitution = 0.4\nfriction = 0.3"
+VISCOELASTIC = 'restitution_law = "viscoelastic"\nviscoelastic_constant = 0.2'
+FIXED_LOSS = 'restitution_law = "fixed-loss"\nenergy_loss = 0.1'
+TWO_VALUED = ('restitution_law = "two-valued"\nslow_restitution = 0.95\nfast_restitution = 0.7\n'
+              'threshold_speed = 0.8')
 SHEAR = 'kind = "shear"\nshear_rate = 1'
 KICKS = 'kind = "random"\nnoise_strength = 0.1\nkick_interval = 0.07'
 WALLS = 'kind = "none"\n\n[walls]\naxis = "z"\nrestitution = 0.9\ntangential_restitution = 0.3\nupper_speed = 0.5'
 FLAT_WALLS = WALLS.replace('"z"', '"y"')
+PULL = "[gravity]\nacceleration = [0.2, 0, -1]"
+FALLING = 'kind = "none"\n\n[walls]\naxis = "z"\nrestitution = 0.9\n\n' + PULL
+FLAT_FALLING = FALLING.replace('"z"', '"y"').replace("[0.2, 0, -1]", "[0.2, -1]")
+OBSTACLES = '[[species]]\nname = "peg"\ndiameter = 1.1\nspheres = 20\nimmobile = true\n'
 
 
 def case(dimension=3, precision="double", collision=ROUGH, drive=SHEAR, species="", collisions=2000):
-    return MIXTURE.format(dimension=dimension, precision=precision, collision=collision, drive=drive,
+    text = MIXTURE.format(dimension=dimension, precision=precision, collision=collision, drive=drive,
                           species=species, collisions=collisions)
+    if species == OBSTACLES:
+        text = text.replace("share = 0.5", "spheres = 50")
+    has_law = "restitution_law" in collision
+    return text.replace("restitution = 0.9\nsolids", "solids") if has_law else text
+
+
+def pair(restitution):
+    """The large ones with a restitution of their own."""
+    return f'[[contact]]\nbetween = ["large", "large"]\nrestitution = {restitution}'
 
 
 SYSTEMS = {
@@ -73,6 +90,24 @@ SYSTEMS = {
     "disks between walls": case(dimension=2, drive=FLAT_WALLS),
     "constants of pairs": case(
         species='[[contact]]\nbetween = ["large", "small"]\nrestitution = 0.7\nfriction = 0'),
+    "viscoelastic": case(collision=VISCOELASTIC),
+    "rough and viscoelastic": case(collision=f"{VISCOELASTIC}\n{ROUGH}"),
+    "viscoelastic disks": case(dimension=2, collision=VISCOELASTIC, species=pair(0.6)),
+    "fixed loss": case(collision=FIXED_LOSS, species=pair(0.6)),
+    "rough with a fixed loss": case(collision=f"{FIXED_LOSS}\n{ROUGH}"),
+    "fixed loss in contacts that last": case(collision=f"{FIXED_LOSS}\ncontact_duration = 0.02"),
+    "rods with a fixed loss": case(dimension=1, collision=FIXED_LOSS, drive='kind = "none"',
+                                   collisions=400),
+    "two values": case(collision=f"{TWO_VALUED}\ncontact_duration = 0.02", drive=WALLS),
+    "viscoelastic in quad": case(precision="quad", collision=VISCOELASTIC, collisions=600),
+    "fixed loss in quad": case(precision="quad", collision=FIXED_LOSS, collisions=600),
+    "falling on obstacles": case(drive=FALLING, species=OBSTACLES),
+    "falling on obstacles, smooth": case(drive=FALLING, species=OBSTACLES, collision=""),
+    "disks falling on obstacles": case(dimension=2, drive=FLAT_FALLING, species=OBSTACLES),
+    "falling past obstacles for ever": case(drive=FALLING.split("[walls]")[0] + PULL,
+                                            species=OBSTACLES),
+    "falling on obstacles in quad": case(precision="quad", drive=FALLING, species=OBSTACLES,
+                                         collisions=400),
     "quad": case(precision="quad", collisions=600),
     "digits40": case(precision="digits40", collisions=300),
 }

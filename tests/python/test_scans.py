@@ -14,6 +14,7 @@ import scan_random_acceleration as acceleration  # noqa: E402
 import mixture_pressure  # noqa: E402
 import scan_anatomy as anatomy  # noqa: E402
 import scan_contact_duration as duration  # noqa: E402
+import scan_friction_clock as friction_clock  # noqa: E402
 import scan_rods as rods  # noqa: E402
 import scan_shear as shear  # noqa: E402
 import scan_three_balls as balls  # noqa: E402
@@ -44,6 +45,16 @@ def test_equations_of_state_of_mixtures_of_one_size_are_the_known_ones():
     assert mixture_pressure.expected(2, 0.4, 1, 0.5) == pytest.approx(1.02 / 0.36)
 
 
+def test_equations_of_spheres_of_one_size_are_the_known_ones():
+    """Kolafa's over Carnahan & Starling's, 1.3666 / 1.363 at 0.3; that of Hansen-Goos & Roth is the
+    latter for one size, and has the second virial coefficient of any mixture."""
+    assert mixture_pressure.of_one_size(0.3) == pytest.approx(1.3666 / 1.363)
+    white_bear = mixture_pressure.of_spheres_in_white_bear
+    assert white_bear(0.4, 1, 0.5) == pytest.approx(mixture_pressure.expected(3, 0.4, 1, 0.5))
+    assert white_bear(1e-6, 2, 0.2) - 1 == pytest.approx(
+        mixture_pressure.expected(3, 1e-6, 2, 0.2) - 1, rel=1e-5)
+
+
 def test_pressure_of_a_mixture_is_that_of_its_contact_values():
     """Z - 1 from the g_ij at contact, pair by pair, is the sum that the two equations give."""
     dimension, fraction, sizes, shares = 2, 0.5, (1, 2), (0.8, 0.2)
@@ -56,6 +67,13 @@ def test_pressure_of_a_mixture_is_that_of_its_contact_values():
             contact = 1 / 0.5 + 9 / 16 * fraction * s * t * mean / (pair * square) / 0.25
             z += np.pi / 2 * density * x * y * pair**2 * contact
     assert mixture_pressure.expected(dimension, fraction, 2, 0.2) == pytest.approx(z)
+
+
+def test_clock_is_read_eight_times_a_decade_and_at_the_end():
+    numbers = friction_clock.limits(2e4)
+    assert numbers[:2] == [1000, 1334] and numbers[8] == 10000 and numbers[-1] == 20000
+    assert numbers == sorted(set(numbers))
+    assert friction_clock.limits(1e4)[-2:] == [7499, 10000]
 
 
 def test_thresholds_of_three_and_four_rods_are_the_known_ones():

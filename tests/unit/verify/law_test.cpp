@@ -79,6 +79,43 @@ TEST(Law, AFixedLossIsTakenOfEnergeticCollisionsOfSpheresOnly) {
   EXPECT_EQ(law.impulse_error(lasting_pair), 0);
 }
 
+/// Two kinds of one sphere each.
+Case of_two_kinds(Case values, double mass, double other_mass, double diameter = 1) {
+  values.species = {{.name = "a", .diameter = diameter, .mass = mass, .spheres = 1},
+                    {.name = "b", .diameter = diameter, .mass = other_mass, .spheres = 1}};
+  return values;
+}
+
+TEST(Law, AFixedLossIsComparedWithTheEnergyOfTheReducedMass) {
+  const Case values = of_two_kinds(with_fixed_loss(0.54), 1, 3);  // 3/4 of a mass at 2: 1.5
+  const Law law(values, 2, grains_of(values));
+  EXPECT_DOUBLE_EQ(static_cast<double>(law.restitution(pair)), 0.8);  // sqrt(1 - 0.36)
+  EXPECT_DOUBLE_EQ(static_cast<double>(*law.impulse(pair)), 2.7);     // 1.8 x 2 x 3/4
+  EXPECT_EQ(law.loss(pair), 0.54);
+  const Case light = of_two_kinds(with_fixed_loss(0.54), 0.25, 0.25);  // an eighth: 0.25
+  EXPECT_EQ(Law(light, 2, grains_of(light)).restitution(pair), 1);
+}
+
+TEST(Law, ViscoelasticSpheresAreSofterByTheirRadiusAndHarderByTheirMass) {
+  Case values = between_walls();
+  values.collision.restitution_law = RestitutionLaw::viscoelastic;
+  values.collision.viscoelastic_constant = 0.4;
+  const Law unit(values, 2);
+  // Diameter 4: sqrt(R) is twice that of unit spheres. Masses 1/16: 2 x 16 = 32, and 32^(2/5) = 4.
+  values.collision.viscoelastic_constant = 0.1;
+  values = of_two_kinds(values, 1.0 / 16, 1.0 / 16, 4);
+  const Law law(values, 2, grains_of(values));
+  EXPECT_NEAR(static_cast<double>(law.restitution(pair) - unit.restitution(pair)), 0, 1e-16);
+}
+
+TEST(Law, KindsWithARestitutionOfTheirOwnLoseNoFixedEnergy) {
+  Case values = of_two_kinds(with_fixed_loss(0.5), 1, 1);
+  values.contacts = {{.between = {"a", "b"}, .restitution = 0.5}};
+  const Law law(values, 2, grains_of(values));
+  EXPECT_EQ(law.restitution(pair), 0.5L);
+  EXPECT_EQ(law.loss(pair), 0.75L);  // (1 - 1/4) x 4 / 4
+}
+
 TEST(Law, AWeakerCollisionThanTheFixedLossIsElastic) {
   for (const double loss : {1.0, 1.5}) {
     const Law law(with_fixed_loss(loss), 2);
