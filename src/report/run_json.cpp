@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "case/case_grains.hpp"
+#include "report/samples_json.hpp"
 #include "storage/info.hpp"
 #include "text/json.hpp"
 
@@ -161,6 +162,7 @@ std::string run_json(const std::string& name, const RunFile& file, const Case& v
                   {"adjudication", parsed(file.adjudication())},
                   {"snapshots", json_of(frames)},
                   {"series", json_of(file.series())},
+                  {"samples", samples_json(file.samples(), values)},
                   {"log", json_of(stretches)},
                   {"pairs", json_of(pairs)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -133,6 +133,7 @@ void read_everything(const std::filesystem::path& path) {
   file.anatomy();
   file.adjudication();
   file.series();
+  file.samples();
   RunDigest(file, case_of(path, file.info()), {}).read();
 }
 
