@@ -4,7 +4,7 @@ import { BLUE, GREEN, GREY, INK, SKY, VERMILION } from "../shared/colours.js";
 import { element } from "../shared/dom.js";
 import { DASH, short } from "../shared/format.js";
 import { csv, fileStem, saveMenu } from "../shared/save.js";
-import { linearNames } from "./axes.js";
+import { linearNames, logNames, logTicks } from "./axes.js";
 import { figureAsCanvas, figureAsSvg } from "./figure.js";
 
 const COLOURS = [INK, VERMILION, BLUE, GREEN, SKY, GREY];
@@ -13,15 +13,16 @@ const HEIGHT = 220;
 /**
  * x: { label, name (in the legend), values, inTable ({ name, values }; default: the same) }
  * curves: [{ name, values }, ...], as long as x; null where nothing is known
- * isLogarithmic: of y;  stem: parts of the name of a saved file, behind that of the run
+ * scale of y: "logarithmic", "from zero" or, by default, that of the values
+ * stem: parts of the name of a saved file, behind that of the run
  */
-export function curvePlot({ id, title, run, stem, x, curves, isLogarithmic = false }) {
+export function curvePlot({ id, title, run, stem, x, curves, scale }) {
   const place = element("div", { id, class: "series" });
   const head = element("div", { class: "plot-head" }, element("h3", {}, title));
   place.append(head);
   requestAnimationFrame(() => {
     const data = [x.values, ...curves.map((curve) => curve.values)];
-    const chart = new uPlot(options(place, x, curves, isLogarithmic), data, place);
+    const chart = new uPlot(options(place, x, curves, scale), data, place);
     const figure = () => ({ chart, title, subtitle: run.name, paint: (ctx) => paint(ctx, chart) });
     head.append(
       saveMenu(title, () => fileStem(run.name, ...stem), {
@@ -44,17 +45,26 @@ function tableOf(x, curves) {
   );
 }
 
-function options(place, x, curves, isLogarithmic) {
+const SCALES = {
+  logarithmic: { distr: 3 },
+  "from zero": { range: (_, __, high) => [0, high > 0 ? 1.1 * high : 1] },
+};
+
+function options(place, x, curves, scale) {
   const numbers = (_, places, __, ___, step) => linearNames(places, step);
-  const powers = (_, places) => places.map((value) => (isPower(value) ? short(value, 1) : ""));
+  const decades = {
+    splits: (_, __, low, high) => logTicks(low, high),
+    filter: (_, places) => places,
+    values: (_, places) => logNames(places),
+  };
   return {
     width: place.clientWidth,
     height: HEIGHT,
     padding: [10, 14, 0, 0],
-    scales: { x: { time: false }, ...(isLogarithmic ? { y: { distr: 3 } } : {}) },
+    scales: { x: { time: false }, y: SCALES[scale] ?? {} },
     axes: [
       { label: x.label, stroke: INK, size: 34, labelSize: 22, values: numbers },
-      { size: 74, stroke: INK, values: isLogarithmic ? powers : numbers },
+      { size: 74, stroke: INK, ...(scale === "logarithmic" ? decades : { values: numbers }) },
     ],
     series: [
       { label: x.name, value: (_, value) => short(value, 6) },
@@ -68,11 +78,6 @@ function options(place, x, curves, isLogarithmic) {
       })),
     ],
   };
-}
-
-function isPower(value) {
-  const exponent = Math.log10(value);
-  return Math.abs(exponent - Math.round(exponent)) < 1e-9;
 }
 
 /** Draws the curves once more, for a figure. */

@@ -16,7 +16,7 @@ export function samplesSection(run) {
       element(
         "p",
         { class: "hint" },
-        `Of ${grouped(samples.samples)} samples at time ${short(samples.from_time, 6)} to ` +
+        `Of ${grouped(samples.samples)} samples, time ${short(samples.from_time, 6)} to ` +
           `${short(samples.to_time, 6)}. zenosphere analyse tells them with their errors, and more.`,
       ),
       ...plots,
@@ -32,6 +32,7 @@ function radial(run, { radial_distribution: found }) {
       title: "Radial distribution g(r)",
       run,
       stem: ["radial-distribution"],
+      scale: "from zero",
       x: { label: "Distance r (diameters)", name: "r", values: found.r },
       curves: [{ name: "g(r)", values: found.g }],
     }),
@@ -46,7 +47,7 @@ function velocities(run, { velocity_distribution: found }) {
       title: "Distribution of a velocity component",
       run,
       stem: ["velocity-distribution"],
-      isLogarithmic: true,
+      scale: "logarithmic",
       x: { label: "Velocity over \u221a(T/m)", name: "v", values: found.component },
       curves: [
         { name: "measured", values: found.density.map((each) => each || null) },
@@ -57,19 +58,25 @@ function velocities(run, { velocity_distribution: found }) {
 }
 
 const PROFILES = [
-  ["solids_volume_fraction", "fraction", "Solids volume fraction"],
+  ["solids_volume_fraction", "fraction", "Solids volume fraction", "from zero"],
   ["velocity", "velocity", "Velocity along x (diameters/time)"],
-  ["granular_temperature", "temperature", "Granular temperature (diameter\u00b2/time\u00b2)"],
+  [
+    "granular_temperature",
+    "temperature",
+    "Granular temperature (diameter\u00b2/time\u00b2)",
+    "from zero",
+  ],
 ];
 
 function profiles(run, { profiles: found }) {
   if (!found || found.y.length < 3) return [];
-  return PROFILES.map(([key, id, title]) =>
+  return PROFILES.map(([key, id, title, scale]) =>
     curvePlot({
       id: `samples-${id}`,
       title: `${title} against ${found.axis}`,
       run,
       stem: ["profile", id],
+      scale,
       x: { label: `Place ${found.axis} (diameters)`, name: found.axis, values: found.y },
       curves: [{ name: title.split(" (")[0].toLowerCase(), values: found[key] }],
     }),
