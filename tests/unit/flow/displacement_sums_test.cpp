@@ -78,8 +78,8 @@ TEST(DisplacementSums, FreeFlightGoesThroughFaces) {
   EXPECT_EQ(found.uncertain(0) + found.uncertain(1) + found.uncertain(2), 0);
 }
 
-// Nothing moves but the flow, 0.2 of strain from sample to sample: nothing is displaced, though all
-// spheres but one go through faces, and the offset of the upper image too.
+// Nothing moves but the flow, 0.2 of strain from sample to sample: nothing is displaced, though
+// spheres go through the faces across the flow.
 TEST(DisplacementSums, FlowIsNoDisplacement) {
   const Vec<3, double> sides{{4, 4, 4}};
   Found found({5, sides, std::nullopt, 1.0, {}});
@@ -95,6 +95,27 @@ TEST(DisplacementSums, FlowIsNoDisplacement) {
   ASSERT_EQ(found.stretches(0), 1);
   for (std::size_t lag = 1; lag <= lags; ++lag) EXPECT_NEAR(found.square(0, lag, 0), 0, 1e-24);
   EXPECT_EQ(found.uncertain(0), 0);
+}
+
+// Straight flights up and down at 0.3 through the faces that slide, u_x = 0 at first: relative to
+// the flow, which grows with the height, spheres come to x = -0.3 t^2 / 2 and 0.3 t^2 / 2.
+TEST(DisplacementSums, FlightThroughASlidingFaceIsThatInTheFlow) {
+  const Vec<3, double> sides{{4, 4, 4}};
+  Found found({2, sides, std::nullopt, 1.0, {}});
+  for (int n = 0; n <= 10; ++n) {
+    const double time = 0.2 * n;
+    const Places places{{{1 + 1.7 * time, 3.7 + 0.3 * time, 1}},
+                        {{1 - 1.7 * time, 0.3 - 0.3 * time, 1}}};
+    const double offset = time * 4 - 4 * std::round(time);
+    const Vec<3, double> own{{-0.3 * time, 0.3, 0}};
+    found.add(moment_of(places, sides, offset), {own, own * -1}, n, 0.2);
+  }
+  ASSERT_EQ(found.stretches(0), 1);
+  for (std::size_t lag = 1; lag <= lags; ++lag) {
+    const double time = 0.2 * static_cast<double>(lag), come = 0.15 * time * time;
+    EXPECT_NEAR(found.square(0, lag, 0), come * come, 1e-12) << lag;
+    EXPECT_NEAR(found.square(0, lag, 1), 0.09 * time * time, 1e-12) << lag;
+  }
 }
 
 // The common motion, by mass, is left out: of masses 1 and 3 at (4, 0) it is 1.
