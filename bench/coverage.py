@@ -79,9 +79,12 @@ def main():
     parser.add_argument("--seeds", type=int, default=100)
     parser.add_argument("--program", default="build/zenosphere")
     parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--only", default="", help="states whose name has this in it")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as place:
         for settings in CASES:
+            if options.only not in settings[0]:
+                continue
             with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
                 runs = list(pool.map(lambda seed: averages_of(
                     options.program, pathlib.Path(place), settings, seed),

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "case/case_grains.hpp"
+#include "case/case_hints.hpp"
 #include "case/case_rules.hpp"
 #include "case/case_table.hpp"
 #include "case/species_reader.hpp"
@@ -95,7 +96,10 @@ void Reader::reject_unknown_table(const Entry& head) {
 
 void Reader::reject_unknown_key(const Entry& entry) {
   std::string text = "unknown key " + entry.key();
-  if (const Key* meant = nearest_key(entry.table, entry.name)) {
+  if (const auto hint = hint_among(key_hints, fmt::format("{}.{}", entry.table, entry.name))) {
+    text += fmt::format("; did you mean {}?", *hint);
+    meant_.insert(std::string(*hint));
+  } else if (const Key* meant = nearest_key(entry.table, entry.name)) {
     const bool is_in_sight = meant->table == entry.table && !entry.key_place.is_override();
     text +=
         fmt::format("; did you mean {}?", is_in_sight ? std::string(meant->name) : meant->path());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "case/case_choices.hpp"
+#include "case/case_hints.hpp"
 #include "case/case_table.hpp"
 #include "text/spelling.hpp"
 
@@ -38,6 +39,9 @@ Objection no_such_word(const std::string& text) {
   const std::string choices = choices_text<Choice>();
   std::vector<std::string_view> candidates;
   for (const auto& word : words_of(Choice{})) candidates.push_back(word.text);
+  if (const auto hint = hint_for_word<Choice>(text)) {
+    return fmt::format("(must be {}); {}", choices, *hint);
+  }
   const auto meant = nearest(text, candidates);
   return fmt::format("(must be {})", choices) +
          (meant ? fmt::format("; did you mean {}?", in_quotes(*meant)) : "");

@@ -33,14 +33,14 @@ struct CaseArguments {
   bool overwrite = false;
 };
 
-std::string listing(bool (*is_listed)(const ShippedCase&), std::size_t prefix) {
-  std::size_t width = 0;
-  for (const ShippedCase& shipped : shipped_cases()) {
-    if (is_listed(shipped)) width = std::max(width, shipped.name.size() - prefix);
-  }
+bool is_question(const ShippedCase& shipped) {
+  return shipped.name.starts_with(folder_of_questions);
+}
+
+/// A line for each case: its name, from `prefix` on, and its title.
+std::string listing(const std::vector<ShippedCase>& cases, std::size_t prefix, std::size_t width) {
   std::string text;
-  for (const ShippedCase& shipped : shipped_cases()) {
-    if (!is_listed(shipped)) continue;
+  for (const ShippedCase& shipped : cases) {
     std::string name(shipped.name.substr(prefix));
     name.resize(width, ' ');
     text += fmt::format("  {}  {}\n", name, title_of(shipped));
@@ -48,11 +48,33 @@ std::string listing(bool (*is_listed)(const ShippedCase&), std::size_t prefix) {
   return text;
 }
 
-bool is_question(const ShippedCase& shipped) {
-  return shipped.name.starts_with(folder_of_questions);
+std::size_t longest_name(const std::vector<ShippedCase>& cases) {
+  std::size_t width = 0;
+  for (const ShippedCase& shipped : cases) width = std::max(width, shipped.name.size());
+  return width;
 }
 
-bool is_example(const ShippedCase& shipped) { return !is_question(shipped); }
+std::string list_of_questions() {
+  std::vector<ShippedCase> questions;
+  for (const ShippedCase& shipped : shipped_cases()) {
+    if (is_question(shipped)) questions.push_back(shipped);
+  }
+  const std::size_t prefix = folder_of_questions.size();
+  return listing(questions, prefix, longest_name(questions) - prefix);
+}
+
+/// The examples by subject, the simplest first.
+std::string list_of_examples() {
+  std::size_t width = 0;
+  for (const ExampleGroup& group : example_groups()) {
+    width = std::max(width, longest_name(group.cases));
+  }
+  std::string text;
+  for (const ExampleGroup& group : example_groups()) {
+    text += fmt::format("\n{}\n{}", group.heading, listing(group.cases, 0, width));
+  }
+  return text;
+}
 
 /// The names that `new` or `examples` takes.
 std::vector<std::string> names_of(const std::string& command) {
@@ -104,7 +126,7 @@ void hand_out(const ShippedCase& shipped, const std::string& file, bool overwrit
 int new_case(const CaseArguments& arguments) {
   if (!arguments.name) {
     print("zenosphere new NAME writes a commented case to start from, NAME.toml:\n" +
-          listing(is_question, folder_of_questions.size()));
+          list_of_questions());
     return exit_code::done;
   }
   const std::string name = std::string(folder_of_questions) + *arguments.name;
@@ -132,7 +154,7 @@ int examples(const CaseArguments& arguments) {
              arguments.output.value_or(file), arguments.overwrite);
   } else {
     print("zenosphere examples NAME copies one, zenosphere examples --all FOLDER all of them:\n" +
-          listing(is_example, 0));
+          list_of_examples());
   }
   return exit_code::done;
 }

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace zenosphere {
 
@@ -14,6 +15,15 @@ struct ShippedCase {
 
 /// All of them, in the order of their names; written by cmake/shipped_cases.cmake.
 std::span<const ShippedCase> shipped_cases();
+
+/// Examples of one subject.
+struct ExampleGroup {
+  std::string_view heading;
+  std::vector<ShippedCase> cases{};
+};
+
+/// The examples but the questions of `zenosphere new`, by subject, the simplest first.
+std::vector<ExampleGroup> example_groups();
 
 /// The first sentence of the comment that a file begins with.
 std::string title_of(const ShippedCase& shipped);

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "flow/collision_sums.hpp"
+#include "flow/displacement_sums.hpp"
 #include "flow/layer_sums.hpp"
 #include "flow/pair_sums.hpp"
 #include "flow/velocity_sums.hpp"
+#include "flow/wave_sums.hpp"
 
 namespace zenosphere {
 
@@ -19,7 +21,7 @@ struct SampleTimes {
   bool clock_is_limited;  ///< a time ends the run; else intervals grow as intervals_to_next()
 };
 
-/// Structure, velocities, profiles and collisions, accumulated while a run goes on.
+/// Structure, velocities, profiles, displacements and collisions, accumulated while a run goes on.
 ///
 /// Sums over successive rows of equally many samples, so that errors can be told and a beginning be
 /// left out afterwards. Where there are `most_rows`, two and two are put together.
@@ -56,7 +58,7 @@ class Samples {
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.multiple_, self.last_, self.in_a_row_, self.current_, self.sums_, self.ends_,
-            self.steps_, self.collisions_);
+            self.steps_, self.collisions_, self.displacements_);
     const std::size_t rows = self.steps_.size();
     require_archived(self.current_.size() == self.width_ && self.ends_.size() == rows &&
                          rows < most_rows && self.sums_.size() == rows * self.width_,
@@ -75,6 +77,8 @@ class Samples {
   PairSums<Dim> pairs_;
   VelocitySums<Dim> velocities_;
   LayerSums<Dim> layers_;
+  WaveSums<Dim> waves_;
+  DisplacementSums<Dim> displacements_;
   CollisionSums<Dim, Real> collisions_;
   std::vector<SampledColumn> columns_;
   std::size_t width_ = 0, first_of_collisions_ = 0;

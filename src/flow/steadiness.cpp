@@ -164,12 +164,13 @@ Steadiness steadiness(const ObservableSeries& series, std::size_t first, const A
   if (!is_long) {
     return {std::nullopt, "too short to tell: " + std::to_string(intervals) + " intervals " +
                               span_text(averages) + ", " + std::to_string(fewest_intervals) +
-                              " are needed"};
+                              " are needed; raise run.time, or lower measure.interval"};
   }
   if (!worst.wandering.empty()) {
     return {std::nullopt, "too short to tell: " + worst.wandering + " wanders " +
                               span_text(averages) + " as if there were " +
-                              text_of(std::floor(worst.values)) + " independent values"};
+                              text_of(std::floor(worst.values)) +
+                              " independent values; raise run.time"};
   }
   return {true, "steady " + span_text(averages) + ": no average drifts by more than " +
                     text_of(drift_in_errors) + " standard errors of its trend"};

@@ -22,6 +22,9 @@ class VelocitySums {
   /// Adds a sample to the sums of `columns()`.
   void add(const SampledMoment<Dim>& moment, SumsOfColumns& sums) const;
 
+  /// Velocities relative to these means, diameters/time.
+  std::vector<Vec<Dim, double>> peculiar(const SampledMoment<Dim>& moment) const;
+
  private:
   using Vector = Vec<Dim, double>;
   struct Moments {
@@ -29,7 +32,6 @@ class VelocitySums {
     bool has_distribution = false;
   };
 
-  std::vector<Vector> peculiar(const SampledMoment<Dim>& moment) const;
   void take_off_mean(std::vector<Vector>& velocities, const std::int32_t* first,
                      const std::int32_t* last) const;
   std::vector<double> temperatures(const std::vector<Vector>& velocities) const;

@@ -7,6 +7,7 @@
 
 #include "case/case_choices.hpp"
 #include "case/case_grains.hpp"
+#include "report/samples_json.hpp"
 #include "storage/info.hpp"
 #include "text/json.hpp"
 
@@ -165,6 +166,7 @@ std::string run_json(const std::string& name, const RunReader& file, const Case&
                   {"adjudication", parsed(info.adjudication)},
                   {"snapshots", json_of(frames)},
                   {"series", json_of(file.series())},
+                  {"samples", samples_json(file.samples(), values)},
                   {"log", json_of(stretches)},
                   {"pairs", json_of(pairs)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -122,6 +122,7 @@ void read_everything(const std::filesystem::path& path) {
   const RunReader file(path);
   file.anatomy();
   file.series();
+  file.samples();
   RunDigest(file, case_of(path, file.info()), {}).read();
 }
 

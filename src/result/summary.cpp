@@ -37,7 +37,8 @@ std::string run_lines(const Summary& s) {
   return line("outcome", fmt::format("{} (ended by: {})", word(s.outcome), end_sentence(s))) +
          line("collisions",
               fmt::format("{} ({:.6g} per sphere)", s.collisions, s.collisions_per_sphere)) +
-         line("time", fmt::format("{:.6g} (strain {:.6g})", s.time, s.strain));
+         line("time", s.strain == 0 ? fmt::format("{:.6g}", s.time)
+                                    : fmt::format("{:.6g} (strain {:.6g})", s.time, s.strain));
 }
 
 std::string separation_text(const Summary::Separation& separation) {

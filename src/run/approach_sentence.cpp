@@ -17,8 +17,10 @@ std::string law_of(const JudgedApproach& judged) {
                       judged.steady->decades, judged.steady->per_collision);
   }
   if (judged.word.is_periodic && judged.ratio) {
-    law += fmt::format("{}word {} with ratio {:.6g}", law.empty() ? "" : "; ", judged.word.letters,
-                       judged.ratio->ratio);
+    law += fmt::format(
+        "{}contacts repeat in the order {}, each round in {:.6g} of the time of the "
+        "one before",
+        law.empty() ? "" : "; ", judged.word.letters, judged.ratio->ratio);
   }
   return law;
 }
@@ -33,10 +35,13 @@ std::string shortened(const std::string& time) {
 std::string end_of_law(const JudgedApproach& judged) {
   if (!judged.curvature) return "";
   const auto decade = gives_way_at(*judged.curvature);
-  if (!decade) return "; the curvature of the contacts dies out";
+  if (!decade) {
+    return ". The row straightens faster than it closes (the curvature of the contacts dies out): "
+           "nothing seen here ends the fall";
+  }
   const std::string end = fmt::format(
-      "; but the curvature of the contacts grows, and by the same law opens the gaps again near "
-      "1e-{:.0f}",
+      ". But the row straightens more slowly than it closes (the curvature of the contacts grows), "
+      "which opens the gaps again near 1e-{:.0f}",
       *decade);
   int digits = 200;
   while (digits < *decade + digits_to_spare && digits < most_digits) digits *= 2;
@@ -97,8 +102,8 @@ std::string sentence_of(const JudgedApproach& judged, const ApproachEvidence& ev
   switch (judged.finding) {
     case Finding::singular:
       return fmt::format(
-          "the gaps of {} fall to 1e-{}, all that {} has, {}, with energy lost; if they go on so, "
-          "infinitely many collisions {}{}{}",
+          "the gaps of {} fall to 1e-{}, as far as the digits of {} go, and energy is lost: {}. If "
+          "they go on so, infinitely many collisions {}{}{}",
           who, judged.decades, precision, law_of(judged),
           judged.collapse_time
               ? fmt::format("end at {} +- {:.1g}", shortened(*judged.collapse_time),
@@ -106,7 +111,7 @@ std::string sentence_of(const JudgedApproach& judged, const ApproachEvidence& ev
               : std::string("take a finite time, whose end could not be extrapolated"),
           end_of_law(judged),
           judged.reopened_to
-              ? "; behind the last digit they grow again, by the overlap rule or, as "
+              ? ". Behind the last digit they grow again, by the overlap rule or, as "
                 "more digits might show, by themselves"
               : "");
     case Finding::near_collapse:

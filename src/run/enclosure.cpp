@@ -189,8 +189,9 @@ void tell_enclosure(const Certificate& certificate, std::int64_t collision,
   if (certificate.decades <= first_decade) return;
   approach.enclosed_to = certificate.decades;
   approach.sentence += fmt::format(
-      "; enclosed to 1e-{}: ball arithmetic makes the order of {} contacts certain, and that no "
-      "other sphere comes near, {}",
+      ". It is enclosed to 1e-{}: ball arithmetic, where every number is an interval that holds "
+      "the true one, makes the order of {} contacts certain, and that no other sphere comes near, "
+      "{}",
       certificate.decades, certificate.collisions, from);
 }
 

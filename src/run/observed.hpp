@@ -31,11 +31,6 @@ class Observed final : public ObservedSimulation {
         driving_(values),
         observers_(values, simulation_),
         rows_({values.collapse.gap_threshold.template in<Real>(), simulation_.box().clock_unit()}) {
-    const auto& measure = values.measure;
-    if (!measure.sampling_interval) return;
-    const double from = measure.after_time.is_found() ? 0 : measure.after_time.time();
-    const bool is_limited = values.run.time.has_value();
-    samples_.emplace(simulation_, SampleTimes{*measure.sampling_interval, from, is_limited});
   }
 
   Observed(const Case& values, const std::atomic<bool>* interrupt, ArchiveReader& state)
@@ -43,7 +38,6 @@ class Observed final : public ObservedSimulation {
     require_archived(simulation_.spheres() == values.system.spheres,
                      "the state of another number of spheres");
     state(driving_, observers_);
-    if (samples_) state(*samples_);
   }
 
   Halt go_on(const Stretch& stretch) override;  // in stretch.cpp
@@ -84,8 +78,13 @@ class Observed final : public ObservedSimulation {
     if (recorder_) recorder_->finish(simulation_);
   }
 
-  void record_to(OutputFile& file) override { recorder_.emplace(values_, simulation_, file); }
+  void record_to(OutputFile& file) override {
+    begin_samples();
+    recorder_.emplace(values_, simulation_, file);
+  }
   void record_to(OutputFile& file, ArchiveReader& state) override {
+    begin_samples();
+    if (samples_) state(*samples_);
     recorder_.emplace(values_, simulation_, file, state);
   }
 
@@ -137,6 +136,14 @@ class Observed final : public ObservedSimulation {
   }
 
  private:
+  void begin_samples() {
+    const auto& measure = values_.measure;
+    if (!measure.sampling_interval) return;
+    const double from = measure.after_time.is_found() ? 0 : measure.after_time.time();
+    const bool is_limited = values_.run.time.has_value();
+    samples_.emplace(simulation_, SampleTimes{*measure.sampling_interval, from, is_limited});
+  }
+
   void kick_if_due() {
     if (!simulation_.has_reached(driving_.next_kick())) return;
     driving_.kick(simulation_, observers_.measurements());
@@ -157,8 +164,8 @@ class Observed final : public ObservedSimulation {
   Simulation<Dim, Real> simulation_;
   RandomDriving<Dim, Real> driving_;
   Observers<Dim, Real> observers_;
-  std::optional<Samples<Dim, Real>> samples_;
-  RowCollector<Dim, Real> rows_;  ///< for who drives the run
+  std::optional<Samples<Dim, Real>> samples_;  ///< where there is an output to keep them
+  RowCollector<Dim, Real> rows_;               ///< for who drives the run
   std::optional<Recorder<Dim, Real>> recorder_;
 };
 

@@ -30,6 +30,8 @@ def rewrite(program, old, new):
     ("restitution = 0.9", "restitution = -0.1", "case.toml:4:", ["-0.1", "[0, 1]"]),
     ("restitution = 0.9", "restitution = nan", "case.toml:4:", ["system.restitution", "nan"]),
     ("restitution", "restituton", "case.toml:4:", ["unknown", "did you mean restitution?"]),
+    ("spheres = 108", "spheres = 108\nbox = 9", "case.toml:4:", ["unknown", "mean system.sides?"]),
+    ('"shear"', '"gravity"', "case.toml:13:", ['"gravity"', "[gravity] acceleration"]),
     ("fraction = 0.3", "fraction = 0.75", "case.toml:5:", ["0.75", "0.74048"]),
     ("fraction = 0.3", "fraction = 0", "case.toml:5:", ["solids_volume_fraction", "0"]),
     ("[collapse]", "[colapse]", "case.toml:16:", ["unknown table", "[collapse]?"]),

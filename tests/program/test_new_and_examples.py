@@ -55,8 +55,18 @@ def test_name_that_is_nearly_right_is_guessed(program, command, typed, meant):
     assert f"; did you mean {meant}? " in "".join(program.fail(command, typed))
 
 
+def test_examples_are_listed_by_subject_and_none_is_left_over(program):
+    text = program("examples").stdout
+    assert "More cases" not in text
+    names = [line.split()[0] for line in text.splitlines() if line.startswith("  ")]
+    assert names[:2] == ["shear-e02", "shear-e06"]
+    shipped = {str(path.relative_to(EXAMPLES).with_suffix("")) for path in EXAMPLES.rglob("*.toml")}
+    assert sorted(names) == sorted(name for name in shipped if not name.startswith("new/"))
+
+
 def test_title_of_an_example_is_not_cut_at_an_abbreviation(program):
-    titles = [line.strip() for line in program("examples").stdout.splitlines()[1:]]
+    titles = [line.strip() for line in program("examples").stdout.splitlines()
+              if line.startswith("  ")]
     assert titles and not any(title.endswith((" Phys", " Rev", " J")) for title in titles)
 
 

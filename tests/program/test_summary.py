@@ -140,6 +140,12 @@ def test_set_takes_words_without_quotes(program):
     assert summary["strain"] == 0 and summary["time"] > 0
 
 
+def test_strain_is_told_of_a_sheared_run_only(program):
+    assert "(strain " in program("run", "case.toml").stdout
+    words = ["--set", "drive.kind=none", "--set", "drive.shear_rate=0"]
+    assert "(strain " not in program("run", "case.toml", *words).stdout
+
+
 def test_time_limit_ends_the_run_at_that_time(program):
     summary = program.run({"run.collisions": 10**9, "run.time": 0.75})
     assert summary["time"] == 0.75 and summary["strain"] == 1.5

@@ -81,9 +81,62 @@ def test_samples_tell_what_snapshots_of_the_same_moments_do(tmp_path, name):
         assert (key in samples) == (key in snapshots)
         # Sums in another order; velocities that a file has together with the profile.
         assert same(samples.get(key), snapshots.get(key), rtol=1e-9, atol=1e-9), key
+    waves, counted = samples["structure_factor"], snapshots["structure_factor"]
+    assert same(waves["at_zero"]["value"], counted["at_zero"]["value"], rtol=1e-9, atol=1e-9)
+    if "drive" not in CASES[name] and len(waves["k"]):  # of one snapshot, by a mesh
+        here = np.searchsorted(counted["k"], waves["k"] - 1e-9)
+        assert len(here) >= 3 and same(waves["k"], counted["k"][here], rtol=1e-9)
     if snapshots["collision_distributions"]:
         assert same(samples["collision_distributions"], counted_in_log(kept, 0.05, 3.0), rtol=1e-5,
                     atol=0)
+
+
+@pytest.mark.parametrize("case", [
+    {}, SHEAR | {"system": {**BASE["system"], "solids_volume_fraction": 0.45}}, PLANE, WALLS,
+    TWO_KINDS, {"system": {"dimension": 1, "spheres": 60, "restitution": 1.0,
+                           "solids_volume_fraction": 0.4}},
+], ids=["gas", "sheared gas", "disks", "walls", "mixture", "rods"])
+def test_displacements_of_samples_are_those_of_snapshots_of_the_same_moments(tmp_path, case,
+                                                                             monkeypatch):
+    """Without a least time analyse cuts the snapshots into stretches of ten as well."""
+    import zenosphere
+    from zenosphere.analysis import displacements
+    monkeypatch.setattr(displacements, "FREE_TIMES", 0)
+    interval = 0.25
+    times = {"run__time": 41 * interval, "measure__after_time": 0.05}
+    kept = ran(case, tmp_path / "kept.h5", output__snapshot_interval=interval, **times)
+    summed = ran(case, tmp_path / "summed.h5", measure__sampling_interval=interval, **times)
+    snapshots, samples = zenosphere.analyse(kept), zenosphere.analyse(summed)
+    for key in ("mean_square_displacement", "velocity_autocorrelation"):
+        first = {name: column[:11] for name, column in samples[key].items() if name != "by_axis"}
+        assert len(samples[key]["time"]) == 11 + 5  # to ten intervals, and to twice ten
+        assert len(snapshots[key]["time"]) == 11
+        assert same(first["time"], snapshots[key]["time"], rtol=1e-9)
+        assert same(first["value"], snapshots[key]["value"], rtol=1e-9, atol=1e-9), key
+    by_axis = snapshots["mean_square_displacement"]["by_axis"]
+    assert np.isfinite(by_axis["x"]).all()
+    for axis, column in by_axis.items():
+        assert same(samples["mean_square_displacement"]["by_axis"][axis][:11], column, rtol=1e-9,
+                    atol=1e-12)
+
+
+def test_diffusion_of_samples_is_that_of_snapshots(tmp_path):
+    """Both of the same run of an elastic gas, over stretches of 40 mean free times."""
+    import zenosphere
+    case = {"system": {**BASE["system"], "restitution": 1.0, "spheres": 256}}
+    path = ran(case, tmp_path / "run.h5", measure__sampling_interval=0.4, run__time=160.0,
+               output__snapshot_interval=0.4, output__collision_log="none")
+    summed = zenosphere.analyse(path)["diffusion"]
+    frames = tmp_path / "kept.h5"
+    with h5py.File(path) as old, h5py.File(frames, "w") as new:
+        for name in old:
+            old.copy(name, new)
+        for name, value in old.attrs.items():
+            new.attrs[name] = value
+        del new["zenosphere/samples"]
+    kept = zenosphere.analyse(frames)["diffusion"]
+    assert summed["standard_error"] < 0.02 and kept["standard_error"] < 0.02
+    assert summed["value"] == pytest.approx(kept["value"], rel=1e-3)
 
 
 def counted_in_log(path, from_time, to_time):
@@ -165,6 +218,22 @@ def test_many_samples_are_put_together_and_a_span_of_them_can_be_chosen(tmp_path
     assert len(samples["time"]) <= 63 and set(samples["samples"]) == {8}  # 300 in rows of 8
     assert zenosphere.analyse(path, from_time=1.0, to_time=2.0)["accumulated"]["samples"] in range(
         80, 105)
+
+
+def test_span_without_a_snapshot_is_told_from_its_samples(tmp_path, capsys):
+    import zenosphere
+    from zenosphere.__main__ import main
+    path = ran({}, tmp_path / "run.h5", measure__sampling_interval=0.05,
+               output__snapshot_interval=1.5, output__collision_log="none")
+    found = zenosphere.analyse(path, from_time=1.6, to_time=2.9)
+    assert (found["snapshots"], found["from_time"], found["to_time"]) == (0, None, None)
+    assert found["accumulated"]["samples"] in range(20, 27)
+    assert found["radial_distribution"]["g"][0] > 1 and found["touching"]["coordination"] is None
+    assert found["structure_factor"]["k"].size >= 3
+    assert main(["analyse", str(path), "--from-time", "1.6", "--to-time", "2.9", "-o",
+                 str(tmp_path / "found.csv"), "--figures", str(tmp_path)]) == 0
+    assert "0 snapshots of 108 spheres\n" in capsys.readouterr().out
+    assert (tmp_path / "run-radial-distribution.png").exists()
 
 
 def test_without_the_key_nothing_is_accumulated_and_the_bits_are_the_same(tmp_path):

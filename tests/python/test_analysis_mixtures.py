@@ -6,11 +6,12 @@ from placements import Given, independent_places, result_of
 
 import zenosphere
 from zenosphere.analysis import tables
+from zenosphere.analysis.blocking import measured
 from zenosphere.analysis.contacts import Contacts
 from zenosphere.analysis.kinds import Kinds
 from zenosphere.analysis.partial import PartialDistributions
 from zenosphere.analysis.profiles import Profiles
-from zenosphere.analysis.velocities import Velocities, VelocitiesOfKinds
+from zenosphere.analysis.velocities import Velocities, VelocitiesOfKinds, ratio_of_means
 
 
 def two_kinds(small, large, diameter=2.0, mass=8.0, immobile=False):
@@ -78,9 +79,17 @@ def test_velocities_count_in_units_of_the_temperature_of_their_kind():
     assert is_near(found["granular_temperature"], 7)
     assert abs(found["sonine"]["a2"]) < 5 * found["sonine"]["a2_standard_error"]
     assert [each["spheres"] for each in found["species"]] == [500, 1500]
+    assert is_near(found["species"][1]["temperature_ratio"], 9)
     for each, temperature in zip(found["species"], (1, 9)):
         assert is_near(each["granular_temperature"], temperature)
         assert is_near(each["sonine"]["a2"], 0)
+
+
+def test_ratio_of_temperatures_that_rise_and_fall_together_is_known_better_than_either():
+    temperature = 1 + 0.1 * np.random.default_rng(1).standard_normal(200)
+    ratio = ratio_of_means(3 * temperature, temperature)
+    assert ratio["value"] == pytest.approx(3) and ratio["standard_error"] < 1e-12
+    assert measured(temperature)["standard_error"] > 0.003
 
 
 def test_profile_weighs_velocities_by_mass_and_spheres_by_volume():

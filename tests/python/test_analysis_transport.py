@@ -106,6 +106,7 @@ def test_two_snapshots_make_one_step_and_one_makes_none():
     frames, velocity, _ = ballistic(2, 20, np.array([5.0]), interval=0.4)
     curve = result_of(Displacements, frames)["mean_square_displacement"]
     assert curve["value"] == pytest.approx([0, np.mean(velocity**2) * 0.16])
+    assert result_of(Displacements, frames)["velocity_autocorrelation"] is None
     alone = result_of(Displacements, ballistic(1, 20, np.array([5.0]), interval=0.4)[0])
     assert alone["mean_square_displacement"] is None and alone["diffusion"]["value"] is None
 

@@ -1,14 +1,9 @@
 // The averages of a run with their errors, whether they are steady, and their course in time.
-import uPlot from "uplot";
-import { linearNames } from "../plots/axes.js";
-import { figureAsCanvas, figureAsSvg } from "../plots/figure.js";
-import { BLUE, GREEN, GREY, INK, SKY, VERMILION } from "../shared/colours.js";
+import { curvePlot } from "../plots/curve_plot.js";
 import { element, section, table } from "../shared/dom.js";
-import { DASH, short } from "../shared/format.js";
+import { short } from "../shared/format.js";
 import { averageRows, axisName, curvesOf } from "./average_rows.js";
-import { csv, fileStem, saveMenu } from "../shared/save.js";
 
-const COLOURS = [INK, VERMILION, BLUE, GREEN, SKY, GREY];
 const MODES = ["(1, 0)", "(0, 1)", "(1, 1)", "(1, \u22121)"]; // (k_y, k_z), as the program has them
 /** The plots: [id, title, [[key, component or null, name], ...]]; curves that there are are drawn. */
 const PLOTS = [
@@ -77,68 +72,19 @@ function seriesPlots(run) {
 
 function seriesPlot(run, id, title, curves) {
   const scale = run.values.drive === "shear" ? run.values.shear_rate : 1;
-  const name = scale === 1 && run.values.drive !== "shear" ? "Time" : "Strain";
-  const x = run.series.time.map((time) => time * scale);
-  const place = element("div", { id: `series-${id}`, class: "series" });
-  const head = element("div", { class: "plot-head" }, element("h3", {}, title));
-  place.append(head);
-  requestAnimationFrame(() => {
-    const chart = new uPlot(options(place, name, curves), [x, ...curves.map((c) => c.values)], place);
-    const figure = () => ({ chart, title, subtitle: run.name, paint: (ctx) => paint(ctx, chart) });
-    head.append(
-      saveMenu(title, () => fileStem(run.name, "series", id), {
-        png: () => figureAsCanvas(figure()),
-        svg: () => figureAsSvg(figure()),
-        csv: () =>
-          csv(
-            ["time", ...curves.map((curve) => curve.name)],
-            run.series.time.map((time, n) => [time, ...curves.map(({ values }) => values[n])]),
-          ),
-      }),
-    );
-    new ResizeObserver(() => chart.setSize({ width: place.clientWidth, height: 220 })).observe(place);
-  });
-  return place;
-}
-
-function options(place, name, curves) {
-  const numbers = (_, places, __, ___, step) => linearNames(places, step);
-  return {
-    width: place.clientWidth,
-    height: 220,
-    padding: [10, 14, 0, 0],
-    scales: { x: { time: false } },
-    axes: [
-      { label: `${name} at the end of the interval`, stroke: INK, size: 34, labelSize: 22, values: numbers },
-      { size: 74, stroke: INK, values: numbers },
-    ],
-    series: [
-      { label: name.toLowerCase(), value: (_, value) => short(value, 6) },
-      ...curves.map(({ name: label }, n) => ({
-        label,
-        stroke: COLOURS[n],
-        width: n ? 1 : 1.6,
-        dash: n > 3 ? [6, 3] : undefined,
-        points: { show: false },
-        value: (_, value) => (value === undefined ? DASH : short(value, 5)),
-      })),
-    ],
-  };
-}
-
-/** Draws the curves once more, for a figure. */
-function paint(ctx, chart) {
-  chart.series.slice(1).forEach((series, n) => {
-    if (!series.show) return;
-    ctx.strokeStyle = COLOURS[n];
-    ctx.lineWidth = devicePixelRatio;
-    ctx.beginPath();
-    chart.data[n + 1].forEach((value, k) => {
-      if (value === null || Number.isNaN(value)) return;
-      const at = [chart.valToPos(chart.data[0][k], "x", true), chart.valToPos(value, "y", true)];
-      if (k === 0) ctx.moveTo(...at);
-      else ctx.lineTo(...at);
-    });
-    ctx.stroke();
+  const name = run.values.drive === "shear" ? "Strain" : "Time";
+  const { time } = run.series;
+  return curvePlot({
+    id: `series-${id}`,
+    title,
+    run,
+    stem: ["series", id],
+    x: {
+      label: `${name} at the end of the interval`,
+      name: name.toLowerCase(),
+      values: time.map((each) => each * scale),
+      inTable: { name: "time", values: time },
+    },
+    curves,
   });
 }

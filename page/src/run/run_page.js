@@ -6,6 +6,7 @@ import { column } from "../shared/data.js";
 import { button, element, section, table } from "../shared/dom.js";
 import { DASH, grouped, short } from "../shared/format.js";
 import { Log, Stretch } from "./log.js";
+import { samplesSection } from "./samples.js";
 import { caseSection, licencesSection } from "../shared/provenance.js";
 import { Choice, Selection, wantedRange } from "./selection.js";
 import { SphereView } from "../spheres/sphere_view.js";
@@ -36,6 +37,7 @@ export function runPage(root, run) {
     verdictSection(run),
     element("div", { class: "look" }, plots.box, spheres.box),
     ...averagesSection(run),
+    ...samplesSection(run),
     ...anatomySection(run),
     ...adjudicationSection(run),
     caseSection(run),

@@ -2,66 +2,16 @@
 
 import numpy as np
 
+from .accumulated_displacements import AccumulatedDisplacements
 from .blocking import errors_of_means, measured
 from .collision_log import LogarithmicHistogram
 from .contacts import FreePath
+from .displacements import Displacements
 from .partial import PartialDistributions
 from .profiles import Profiles
 from .radial import RadialDistribution
+from .structure import StructureFactor
 from .velocities import Velocities, VelocitiesOfKinds
-
-ROUNDING = 1e-9  # of the times of rows, relative to their length
-
-
-class Rows:
-    """Rows of samples of an output: sums, and means over the samples of each row.
-
-    samples: of Output.samples;  from_time, to_time: rows that lie between them as a whole count;
-    None: no limit
-    """
-
-    def __init__(self, samples, from_time=None, to_time=None):
-        self._samples = samples
-        span = samples["span"] if samples else np.empty(0)
-        self.ends = samples["time"] if samples else np.empty(0)
-        self.begins = self.ends - span
-        inside = np.ones(len(span), dtype=bool)
-        if from_time is not None:
-            inside &= self.begins >= from_time - ROUNDING * span
-        if to_time is not None:
-            inside &= self.ends <= to_time + ROUNDING * span
-        self._inside = inside
-        self.ends, self.begins = self.ends[inside], self.begins[inside]
-
-    def __len__(self):
-        return len(self.ends)
-
-    def __contains__(self, name):
-        return name in self._samples
-
-    def edges(self, name):
-        """Of the bins of a quantity, (K + 1)."""
-        return self._samples["edges"][name]
-
-    def sums(self, name):
-        """Of a quantity, (rows, ...)."""
-        return self._samples[name][self._inside]
-
-    def means(self, name):
-        """Over the samples of each row, (rows, ...)."""
-        sums = self.sums(name)
-        return sums / self.sums("samples").reshape(-1, *[1] * (sums.ndim - 1))
-
-    def rates(self, name):
-        """Of what is summed over collisions: per time, (rows, ...)."""
-        sums = self.sums(name)
-        return sums / self.sums("span").reshape(-1, *[1] * (sums.ndim - 1))
-
-    def told(self):
-        """The object `accumulated` of the results."""
-        return {"samples": int(self.sums("samples").sum()), "rows": len(self),
-                "from_time": float(self.begins[0]), "to_time": float(self.ends[-1])}
-
 
 class AccumulatedRadial(RadialDistribution):
     """RadialDistribution of rows.
@@ -115,6 +65,37 @@ class AccumulatedPartial(PartialDistributions):
 def rows_of_pair(a, b, kinds):
     """Place of two kinds, a <= b, in the order (0, 0), (0, 1), ..., (1, 1), ..."""
     return a * kinds - a * (a + 1) // 2 + b
+
+
+class AccumulatedStructure(StructureFactor):
+    """StructureFactor whose long waves are those of rows, and the others those of snapshots.
+
+    frames: Frames;  rows: Rows
+    """
+
+    def __init__(self, frames, rows):
+        super().__init__(frames)
+        self._long = [np.empty((len(rows), 0))] * 3
+        if "waves" not in rows:  # between walls in one dimension
+            return
+        self._long = [rows.sums(name) for name in ("waves", "wave_numbers", "wave_powers")]
+        samples, limits = rows.sums("limit_samples"), rows.sums("structure_limits")
+        self._limits = list(limits[samples > 0] / samples[samples > 0])
+
+    def add(self, frame):
+        """Adds all waves of a snapshot, if in detail."""
+        if frame.box.periodic and frame.is_in_detail:
+            self._add_all(frame)
+
+    def _curve(self):
+        waves, numbers, powers = self._long
+        curve, known = super()._curve(), slice(waves.shape[1])
+        with np.errstate(invalid="ignore", divide="ignore"):
+            found = (numbers.sum(axis=0) / waves.sum(axis=0), powers.sum(axis=0) / waves.sum(axis=0),
+                     errors_of_means(powers / waves))
+        for column, those in zip(curve, found):
+            column[known] = those
+        return curve
 
 
 class AccumulatedVelocities(Velocities):
@@ -260,4 +241,5 @@ def losses_by_kinds(rows, kinds, volume):
 
 IN_PLACE_OF = {RadialDistribution: AccumulatedRadial, PartialDistributions: AccumulatedPartial,
                Velocities: AccumulatedVelocities, VelocitiesOfKinds: AccumulatedVelocitiesOfKinds,
-               Profiles: AccumulatedProfiles, FreePath: AccumulatedFreePath}
+               Profiles: AccumulatedProfiles, FreePath: AccumulatedFreePath,
+               StructureFactor: AccumulatedStructure, Displacements: AccumulatedDisplacements}

@@ -40,6 +40,11 @@ class Contacts:
 
     def result(self):
         """touching: gap, coordination, share of spheres with each number of neighbours, ..."""
+        if not self._coordination:  # no snapshot
+            return {"touching": dict.fromkeys(
+                ("coordination", "coordination_standard_error", "clusters", "share_in_clusters",
+                 "largest_cluster")) | {"gap": self.gap, "neighbours": np.empty(0),
+                                        "share": np.empty(0)}}
         coordination, error = mean_and_error(self._coordination)
         number = np.arange(len(self._neighbours))
         return {"touching": {

@@ -70,8 +70,10 @@ class Displacements:
             correlation = correlation / correlation[:, :1]
         squares = np.where(self._is_certain, np.array(self._squares), np.nan)
         return {"mean_square_displacement": self._curve(time, squares),
-                "velocity_autocorrelation": {"time": time, "value": correlation.mean(axis=0),
-                                             "standard_error": errors_of_means(correlation)},
+                "velocity_autocorrelation": {
+                    "time": time, "value": correlation.mean(axis=0),
+                    "standard_error": errors_of_means(correlation)
+                } if self._lags >= FEWEST_LAGS else None,
                 "diffusion": self._diffusion(time, squares)}
 
     def _begin(self, frame):

@@ -47,7 +47,8 @@ class Frames:
 
     output: zenosphere.Output
     from_time: None: where the averages of the run begin;  to_time: None: the last one
-    Raises InputError where there is no snapshot.
+    Where none lies between them, `first` and `last` are the last one of the run, for its box.
+    Raises InputError where there is no snapshot at all.
     """
 
     def __init__(self, output, from_time=None, to_time=None):
@@ -63,12 +64,24 @@ class Frames:
         self._first = bisect_left(snapshots, begin, key=lambda state: state.time)
         self._end = len(snapshots) if to_time is None else bisect_right(
             snapshots, to_time, key=lambda state: state.time)
-        if self._first >= self._end:
-            span = f"from {begin:g}" + ("" if to_time is None else f" to {to_time:g}")
-            raise InputError(f"{output.path}: no snapshot in the time {span} (there are"
-                             f" {len(snapshots)}, the last one at {snapshots[-1].time:g}); choose"
-                             " another time with --from-time and --to-time")
-        self.first, self.last = snapshots[self._first], snapshots[self._end - 1]
+        self._end = max(self._end, self._first)
+        if len(self):
+            self.first, self.last = snapshots[self._first], snapshots[self._end - 1]
+        else:
+            self.first = self.last = snapshots[-1]
+        self._to_time = to_time
+
+    def require_some(self):
+        """Raises InputError where no snapshot lies in the time that was asked for."""
+        snapshots = self.output.snapshots
+        if len(self):
+            return
+        span = f"from {self.begin:g}" + (
+            "" if self._to_time is None else f" to {self._to_time:g}")
+        raise InputError(f"{self.output.path}: no snapshot in the time {span} (there are"
+                         f" {len(snapshots)}, the last one at {snapshots[-1].time:g}), and no"
+                         " samples (measure.sampling_interval); choose another time with"
+                         " --from-time and --to-time")
 
     def __len__(self):
         return self._end - self._first

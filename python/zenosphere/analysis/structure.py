@@ -8,7 +8,7 @@ from .waves import Waves, mesh_limit
 LARGEST = 15.0  # k, 1/diameter: two peaks of a fluid
 LONG = 1.5  # k up to which S is taken for S(0) + a k^2
 LEAST_SHELLS = 3  # of waves along one side for that, where a box is small
-MOST_LONG = 20_000  # waves
+MOST_LONG = 1200  # waves
 MOST_BINS = 300
 
 
@@ -39,21 +39,27 @@ class StructureFactor:
         power = self._few.power(frame.positions, edges)
         self._limits.append(self._limit(self._few.lengths(edges), power, self._few.weight))
         if frame.is_in_detail:
-            self._count(self._all.lengths(edges), self._all.power_by_mesh(frame.positions, edges),
-                        self._all.weight)
+            self._add_all(frame)
 
     def result(self):
         """structure_factor: k, s, standard_error, and at_zero."""
-        empty = np.empty(0)
-        found = {"k": empty, "s": empty, "standard_error": empty}
-        if self._rows:
-            k, s = np.mean(self._places, axis=0), np.mean(self._rows, axis=0)
-            known = np.isfinite(k)
-            found = {"k": k[known], "s": s[known],
-                     "standard_error": errors_of_means(self._rows)[known]}
-        return {"structure_factor": found | {"at_zero": measured(self._limits)}}
+        k, s, error = self._curve()
+        known = np.isfinite(k)
+        return {"structure_factor": {"k": k[known], "s": s[known], "standard_error": error[known],
+                                     "at_zero": measured(self._limits)}}
 
-    def _count(self, k, power, weight):
+    def _curve(self):
+        """k, S(k) and its error in each bin; NaN where there is no wave."""
+        if not self._rows:
+            return np.full((3, len(self.edges) - 1), np.nan)
+        return (np.mean(self._places, axis=0), np.mean(self._rows, axis=0),
+                errors_of_means(self._rows))
+
+    def _add_all(self, frame):
+        """Adds the waves of a snapshot to the bins."""
+        edges = frame.box.edges
+        k, weight = self._all.lengths(edges), self._all.weight
+        power = self._all.power_by_mesh(frame.positions, edges)
         bins = np.digitize(k, self.edges) - 1
         inside = (bins >= 0) & (bins < len(self.edges) - 1)
         waves, powers, places = (np.bincount(bins[inside], values[inside], len(self.edges) - 1)

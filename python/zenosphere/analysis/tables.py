@@ -7,6 +7,7 @@ import numpy as np
 
 from ..csv_file import write_csv
 from ..errors import OutputError
+from .displacements import FEWEST_LAGS
 
 SCALARS = (  # key of the result, key in it, what it is called
     ("granular_temperature", "value", "granular temperature"),
@@ -32,8 +33,9 @@ def as_json(results):
 
 def as_text(results):
     """The numbers with their standard errors, a line each, for people."""
-    lines = [f"{results['file']}: {results['snapshots']} snapshots of {results['spheres']} spheres,"
-             f" time {results['from_time']:g} to {results['to_time']:g}"]
+    lines = [f"{results['file']}: {results['snapshots']} snapshots of {results['spheres']} spheres"]
+    if results["snapshots"]:
+        lines[0] += f", time {results['from_time']:g} to {results['to_time']:g}"
     if rows := results["accumulated"]:
         lines.append(f"accumulated in the run: {rows['samples']} samples, time"
                      f" {rows['from_time']:g} to {rows['to_time']:g}")
@@ -42,6 +44,10 @@ def as_text(results):
         if value is not None:
             known = "" if error is None else f" +- {error:.2g}"
             lines.append(f"  {row['quantity']:32} {value:.6g}{known}")
+    if results["velocity_autocorrelation"] is None:
+        lines.append(f"  velocity autocorrelation and self-diffusion need {FEWEST_LAGS + 1} snapshots or"
+                     " more at equal intervals (output.snapshot_interval, or"
+                     " measure.sampling_interval)")
     return "\n".join(lines)
 
 
@@ -78,6 +84,9 @@ def scalar_rows(results):
     for kind in results.get("species", ()):
         yield {"quantity": f"granular temperature of {kind['name']}"} | kind["granular_temperature"]
         yield {"quantity": f"a2 of {kind['name']}"} | kind["sonine"]["a2"]
+    for kind in results.get("species", ())[1:]:
+        first = results["species"][0]["name"]
+        yield {"quantity": f"temperature of {kind['name']} / {first}"} | kind["temperature_ratio"]
     for pair in results.get("partial_radial_distributions", ()):
         yield {"quantity": f"g at contact, {' and '.join(pair['between'])}"} | pair["contact_value"]
 
@@ -94,7 +103,8 @@ def curves(results):
         name = "radial_distribution_" + "_".join(pair["between"])
         found[name] = {key: pair[key] for key in ("x", "g", "standard_error")}
     touching = results["touching"]
-    found["touching"] = {key: touching[key] for key in ("neighbours", "share")}
+    if touching["coordination"] is not None:
+        found["touching"] = {key: touching[key] for key in ("neighbours", "share")}
     found |= {name: flat_columns(histogram)
               for name, histogram in (results["collision_distributions"] or {}).items()}
     return split_velocities(found)

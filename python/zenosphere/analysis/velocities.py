@@ -101,13 +101,26 @@ class VelocitiesOfKinds:
             self._a3[number].append(a3)
 
     def result(self):
-        """species: name, spheres, granular_temperature and sonine of each."""
+        """species: name, spheres, granular_temperature, temperature_ratio and sonine of each."""
         temperatures = np.array(self._temperatures).T
         return {"species": [
             {"name": name, "spheres": int(self._kinds.members[number].sum()),
              "granular_temperature": measured(temperatures[number]),
+             "temperature_ratio": ratio_of_means(temperatures[number], temperatures[0]),
              "sonine": {"a2": measured(self._a2[number]), "a3": measured(self._a3[number])}}
             for number, name in enumerate(self._kinds.names)]}
+
+
+def ratio_of_means(values, others):
+    """Mean of a series over that of another one, with the error of both together (they may be
+    correlated); unknown where either is.
+
+    values, others: (n)
+    """
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ratio = np.mean(values) / np.mean(others)
+        deviations = (values - ratio * others) / np.mean(others)
+    return measured(ratio + deviations)
 
 
 def thermal_speeds(frame):

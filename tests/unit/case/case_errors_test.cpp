@@ -73,9 +73,14 @@ TEST(CaseErrors, UnknownKeySuggestsTheNearestOfItsTableOrTheTableThatHasIt) {
 }
 
 TEST(CaseErrors, UnknownKeyThatIsNearNothingHasNoSuggestion) {
-  EXPECT_EQ(objection(cooling_case, "system.gravity=9.81"), "unknown key system.gravity");
+  EXPECT_EQ(objection(cooling_case, "system.weather=9.81"), "unknown key system.weather");
   EXPECT_EQ(objection(cooling_case, "system.spheres.a.lot=1"),
             "unknown key system.\"spheres.a.lot\"");
+}
+
+TEST(CaseErrors, KeyOfAnotherProgramIsAnsweredWithTheOneThatIsMeant) {
+  EXPECT_EQ(objection(cooling_case, "system.gravity=9.81"),
+            "unknown key system.gravity; did you mean gravity.acceleration?");
 }
 
 TEST(CaseErrors, QuotedKeyWithADotIsNotADottedKey) {
