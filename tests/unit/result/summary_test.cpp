@@ -225,10 +225,12 @@ TEST(Summary, WithAListThatIsNoneIsRefused) {
 }
 
 TEST(Summary, PressureOnWallsIsThatOnTwoOrNone) {
-  auto json = Json::parse(to_json(collapsed_summary(), 2));
-  json["averages"]["wall_pressure"] = {0.5, 0.25};
+  Summary summary;
+  summary.averages = planar_averages();
+  auto json = Json::parse(to_json(summary, 2));
+  json["averages"]["wall_pressure"] = std::vector<double>{0.5, 0.25};
   EXPECT_NO_THROW(summary_from_json(json.dump(), 2));
-  json["averages"]["wall_pressure"] = {0.5};
+  json["averages"]["wall_pressure"] = std::vector<double>{0.5};
   EXPECT_THROW(summary_from_json(json.dump(), 2), InputError);
 }
 
