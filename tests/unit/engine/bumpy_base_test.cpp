@@ -12,7 +12,7 @@
 namespace zenosphere {
 namespace {
 
-using Vector = Vec<2, double>;
+using Place = Vec<2, double>;
 using Disks = Simulation<2, double>;
 
 constexpr double side = 9;     // periodic along x
@@ -26,10 +26,10 @@ constexpr double pull_x = 0.15, pull_y = -1;
 Disks falling_disks(double restitution) {
   support::Dice dice(4);
   Configuration<2, double> start;
-  const auto add = [&](const Vector& place, double diameter, bool immobile) {
+  const auto add = [&](const Place& place, double diameter, bool immobile) {
     start.positions.push_back(place);
-    start.velocities.push_back(immobile ? Vector{}
-                                        : Vector{{dice.between(-1, 1), dice.between(-1, 1)}});
+    start.velocities.push_back(immobile ? Place{}
+                                        : Place{{dice.between(-1, 1), dice.between(-1, 1)}});
     start.grains.diameters.push_back(diameter);
     start.grains.masses.push_back(diameter * diameter);
     start.grains.kinds.push_back(0);
@@ -81,11 +81,11 @@ class SmallSteps {
   }
 
  private:
-  Vector place(std::int32_t i, double t) const {
+  Place place(std::int32_t i, double t) const {
     const auto at = static_cast<std::size_t>(i);
-    const Vector flown = state_.positions[at] + state_.velocities[at] * t;
+    const Place flown = state_.positions[at] + state_.velocities[at] * t;
     if (state_.grains.is_immobile(i)) return flown;
-    return flown + Vector{{pull_x, pull_y}} * (t * t / 2);
+    return flown + Place{{pull_x, pull_y}} * (t * t / 2);
   }
 
   /// Distance of two disks, or of a disk and a wall, less that of their contact.
@@ -98,7 +98,7 @@ class SmallSteps {
       return (j == count ? y : height - y) - radius;
     }
     if (state_.grains.is_immobile(i) && state_.grains.is_immobile(j)) return 1;
-    Vector between = place(j, t) - place(i, t);
+    Place between = place(j, t) - place(i, t);
     between[0] -= side * std::round(between[0] / side);
     return std::hypot(between[0], between[1]) - radius - state_.grains.radius(j);
   }
@@ -138,7 +138,7 @@ double energy_of(const Disks& disks) {
   for (std::int32_t i = 0; i < disks.spheres(); ++i) {
     if (disks.grains().is_immobile(i)) continue;
     const auto at = static_cast<std::size_t>(i);
-    const Vector& velocity = state.velocities[at];
+    const Place& velocity = state.velocities[at];
     const double way_x = state.positions[at][0] + side * state.boxes[at][0];
     sum += disks.grains().mass(i) *
            (dot(velocity, velocity) / 2 - pull_y * state.positions[at][1] - pull_x * way_x);
