@@ -46,6 +46,8 @@ void add_options(CLI::App& program, Arguments& arguments) {
   program.add_option("--fraction", gas.solids_volume_fraction, "solids volume fraction")
       ->required()
       ->check(CLI::Range(0.0, 0.74));
+  program.add_option("--large", gas.large.count, "so many of the spheres are larger");
+  program.add_option("--large-diameter", gas.large.diameter)->capture_default_str();
   program.add_option("--restitution", gas.restitution)->capture_default_str();
   program.add_option("--shear-rate", gas.shear_rate, "1/time; 0: no shear")->capture_default_str();
   program.add_option("--temperature", gas.start.granular_temperature, "at the start")

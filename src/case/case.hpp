@@ -48,6 +48,7 @@ struct SpeciesContact {
 
 /// What the rules about the box need to know of the diameters of all spheres.
 struct SizeSummary {
+  double mean = 1;        ///< diameter
   double mean_power = 1;  ///< mean of diameter^D
   double smallest = 1;
   double largest = 1;

@@ -16,9 +16,10 @@ namespace zenosphere {
 double cell_width_of(const Case& values) {
   const std::vector<double> sides = box_sides(values);
   const double largest = values.system.sizes.largest;
+  const Sizes sizes{largest, values.system.sizes.mean};
   const auto& pull = values.gravity.acceleration;
   const bool is_straight = std::all_of(pull.begin(), pull.end(), [](double a) { return a == 0; });
-  const double width = fitting_cell_width({sides, values.system.spheres, largest, is_straight});
+  const double width = fitting_cell_width({sides, values.system.spheres, sizes, is_straight});
   double narrowest = width;
   for (std::size_t axis = 0; axis < sides.size(); ++axis) {
     const bool is_closed = closed_axis(values) == static_cast<int>(axis);

@@ -199,12 +199,14 @@ Grains<double> grains_of(const Case& values) {
 SizeSummary sizes_of(const Case& values) {
   const Grains<double> grains = grains_of(values);
   if (grains.diameters.empty()) return {};
-  SizeSummary sizes{0, grains.diameters.front(), 0};
+  SizeSummary sizes{0, 0, grains.diameters.front(), 0};
   for (const double diameter : grains.diameters) {
+    sizes.mean += diameter;
     sizes.mean_power += power_of(diameter, values.system.dimension);
     sizes.smallest = std::min(sizes.smallest, diameter);
     sizes.largest = std::max(sizes.largest, diameter);
   }
+  sizes.mean /= static_cast<double>(grains.diameters.size());
   sizes.mean_power /= static_cast<double>(grains.diameters.size());
   return sizes;
 }

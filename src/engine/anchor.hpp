@@ -7,7 +7,9 @@ namespace zenosphere {
 
 /// The middle of the ball in which a sphere stays until it is settled again.
 struct Anchor {
-  std::array<std::int16_t, 3> place{};  ///< from the lower corner of its cell, in grains
+  using Place = std::array<std::int16_t, 3>;
+
+  Place place{};      ///< from the lower corner of its cell, in grains
   float expires = 0;  ///< remainder of the clock: the sphere is settled again by then. In units of
                       ///< Settling::expiry_unit
 

@@ -26,18 +26,18 @@ static_assert(far_away - 4 * AnchorCells::grains_a_cell > 5 * AnchorCells::grain
 constexpr Chunk empty_chunk() {
   Chunk chunk{};
   for (std::size_t k = 0; k < Chunk::places; ++k) {
-    chunk.sphere[k] = free_place;
+    chunk.label[k] = free_place;
     chunk.xy[k][0] = far_away;
   }
   return chunk;
 }
 
-/// The first place at which `sphere` stands, or `places`.
-std::size_t place_of(const Chunk& chunk, std::int32_t sphere) {
+/// The first place at which `label` stands, or `places`.
+std::size_t place_of(const Chunk& chunk, std::int32_t label) {
   static_assert(Chunk::places == 6);
-  const auto wanted = static_cast<std::uint32_t>(sphere);
+  const auto wanted = static_cast<std::uint32_t>(label);
   const auto four_from = [&](unsigned first) {
-    return equal_in_four(chunk.sphere + first, wanted, ~std::uint32_t{0}) << first;
+    return equal_in_four(chunk.label + first, wanted, ~std::uint32_t{0}) << first;
   };
   return static_cast<std::size_t>(
       std::countr_zero(four_from(0) | four_from(2) | 1u << Chunk::places));
@@ -55,10 +55,18 @@ std::span<const Chunk> cells_of(const AnchorCells::Row& row, const Chunk* chunks
   return {chunks + row.first, chunks + row.last + 1};
 }
 
+/// Up to which distance a sphere counts, squared: grains^2.
+int square_of_reach(const AnchorCells::Range& range, std::int32_t) { return range.square; }
+int square_of_reach(const AnchorCells::SizedRange& range, std::int32_t label) {
+  const int reach = range.reach + ((label >> Neighbour::sphere_bits) << range.shift);
+  return reach * reach;
+}
+
 /// Writes those in a row of cells that are within range. Chunks that a cell has beside its own are
 /// among the `further` ones.
-Neighbour* find_in(const AnchorCells::Row& row, const AnchorCells::Range& range,
-                   const Chunk* chunks, const Chunk* further, Neighbour* found) {
+template <class Range>
+Neighbour* find_in(const AnchorCells::Row& row, const Range& range, const Chunk* chunks,
+                   const Chunk* further, Neighbour* found) {
   int x = row.place[0];
   for (const Chunk& first : cells_of(row, chunks)) {
     for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
@@ -66,8 +74,10 @@ Neighbour* find_in(const AnchorCells::Row& row, const AnchorCells::Range& range,
         const int dx = std::max(0, std::abs(chunk->xy[k][0] - x) - row.slide);
         const int dy = chunk->xy[k][1] - row.place[1];
         const int dz = chunk->z[k] - row.place[2];
-        if (chunk->sphere[k] != free_place && dx * dx + dy * dy + dz * dz < range.square) {
-          *found++ = Neighbour(chunk->sphere[k], row.way);
+        const std::int32_t label = chunk->label[k];
+        if (label == free_place) break;
+        if (dx * dx + dy * dy + dz * dz < square_of_reach(range, label)) {
+          *found++ = Neighbour(label & Neighbour::sphere_mask, row.way);
         }
       }
     }
@@ -92,17 +102,57 @@ struct Compressions {
 };
 constexpr Compressions compressions;
 
+/// What find_in() compares with, for eight spheres at once.
+template <class Range>
+class WideLimit;
+
+template <>
+class WideLimit<AnchorCells::Range> {
+ public:
+  ZENOSPHERE_WIDE explicit WideLimit(const AnchorCells::Range& range)
+      : square_(_mm256_set1_epi32(range.square)) {}
+  /// The sign bit of those that are within range.
+  ZENOSPHERE_WIDE __m256i exceeds(__m256i square, __m256i) const {
+    return _mm256_cmpgt_epi32(square_, square);
+  }
+  ZENOSPHERE_WIDE __m256i spheres(__m256i labels) const { return labels; }
+
+ private:
+  __m256i square_;
+};
+
+/// The labels of free places are negative: their codes are none.
+template <>
+class WideLimit<AnchorCells::SizedRange> {
+ public:
+  ZENOSPHERE_WIDE explicit WideLimit(const AnchorCells::SizedRange& range)
+      : reach_(_mm256_set1_epi32(range.reach)), shift_(_mm_cvtsi32_si128(range.shift)) {}
+  ZENOSPHERE_WIDE __m256i exceeds(__m256i square, __m256i labels) const {
+    const __m256i codes = _mm256_srli_epi32(labels, Neighbour::sphere_bits);
+    const __m256i reach = _mm256_add_epi32(reach_, _mm256_sll_epi32(codes, shift_));
+    return _mm256_andnot_si256(labels,
+                               _mm256_cmpgt_epi32(_mm256_mullo_epi32(reach, reach), square));
+  }
+  ZENOSPHERE_WIDE __m256i spheres(__m256i labels) const {
+    return _mm256_and_si256(labels, _mm256_set1_epi32(Neighbour::sphere_mask));
+  }
+
+ private:
+  __m256i reach_;
+  __m128i shift_;
+};
+
 /// The same in several rows, a chunk at a time. It is read as if it had eight places; what is read
 /// at the last two belongs to its other members and counts for nothing.
-ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows,
-                                     const AnchorCells::Range& range, const Chunk* chunks,
-                                     const Chunk* further, Neighbour* found) {
+template <class Range>
+ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows, const Range& range,
+                                     const Chunk* chunks, const Chunk* further, Neighbour* found) {
   const auto pair = [](std::int16_t x, std::int16_t y) {
     return static_cast<int>(static_cast<std::uint16_t>(x) |
                             static_cast<std::uint32_t>(static_cast<std::uint16_t>(y)) << 16);
   };
   const __m256i next_cell = _mm256_set1_epi32(pair(range.cell_width, 0));
-  const __m256i limit = _mm256_set1_epi32(range.square);
+  const WideLimit<Range> limit(range);
   constexpr unsigned all_places = (1u << Chunk::places) - 1;
   for (const AnchorCells::Row& row : rows) {
     __m256i here = _mm256_set1_epi32(pair(row.place[0], row.place[1]));
@@ -119,10 +169,11 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows,
             _mm_sub_epi16(_mm_load_si128(reinterpret_cast<const __m128i*>(chunk->z)), here_z));
         const __m256i square =
             _mm256_add_epi32(_mm256_madd_epi16(xy, xy), _mm256_mullo_epi32(z, z));
+        const __m256i labels = _mm256_loadu_si256(at(chunk->label));
         const auto set = static_cast<unsigned>(_mm256_movemask_ps(
-                             _mm256_castsi256_ps(_mm256_cmpgt_epi32(limit, square)))) &
+                             _mm256_castsi256_ps(limit.exceeds(square, labels)))) &
                          all_places;
-        const __m256i spheres = _mm256_or_si256(_mm256_loadu_si256(at(chunk->sphere)), way);
+        const __m256i spheres = _mm256_or_si256(limit.spheres(labels), way);
         const __m256i order =
             _mm256_load_si256(reinterpret_cast<const __m256i*>(compressions.lanes[set]));
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
@@ -137,6 +188,16 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows,
 
 #endif
 
+template <class Range>
+Neighbour* find_rows(std::span<const AnchorCells::Row> rows, const Range& range,
+                     const Chunk* chunks, const Chunk* further, Neighbour* found) {
+#ifdef ZENOSPHERE_HAS_WIDE_LANES
+  if (has_wide_lanes()) return find_wide(rows, range, chunks, further, found);
+#endif
+  for (const AnchorCells::Row& row : rows) found = find_in(row, range, chunks, further, found);
+  return found;
+}
+
 }  // namespace
 
 AnchorCells::AnchorCells(std::int32_t cells)
@@ -144,16 +205,15 @@ AnchorCells::AnchorCells(std::int32_t cells)
 
 Neighbour* AnchorCells::find(std::span<const Row> rows, const Range& range,
                              Neighbour* found) const {
-#ifdef ZENOSPHERE_HAS_WIDE_LANES
-  if (has_wide_lanes()) return find_wide(rows, range, chunks_.data(), further_.data(), found);
-#endif
-  for (const Row& row : rows) {
-    found = find_in(row, range, chunks_.data(), further_.data(), found);
-  }
-  return found;
+  return find_rows(rows, range, chunks_.data(), further_.data(), found);
 }
 
-void AnchorCells::insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor) {
+Neighbour* AnchorCells::find(std::span<const Row> rows, const SizedRange& range,
+                             Neighbour* found) const {
+  return find_rows(rows, range, chunks_.data(), further_.data(), found);
+}
+
+void AnchorCells::insert(std::int32_t label, std::int32_t cell, const Anchor& anchor) {
   Chunk* last = &chunk(cell);
   std::size_t chunks = 1;
   for (; last->next >= 0; ++chunks) last = &further_[static_cast<std::size_t>(last->next)];
@@ -163,20 +223,20 @@ void AnchorCells::insert(std::int32_t sphere, std::int32_t cell, const Anchor& a
     k = 0;
     longest_ = std::max(longest_, chunks + 1);
   }
-  last->sphere[k] = sphere;
+  last->label[k] = label;
   last->xy[k][0] = anchor.place[0];
   last->xy[k][1] = anchor.place[1];
   last->z[k] = anchor.place[2];
 }
 
 /// The last sphere of the cell takes the free place.
-void AnchorCells::remove(std::int32_t sphere, std::int32_t cell) {
+void AnchorCells::remove(std::int32_t label, std::int32_t cell) {
   Chunk* holder = nullptr;
   std::size_t place = 0;
   Chunk* before_last = nullptr;
   Chunk* last = &chunk(cell);
   for (;;) {
-    if (const std::size_t k = place_of(*last, sphere); k < Chunk::places) {
+    if (const std::size_t k = place_of(*last, label); k < Chunk::places) {
       holder = last;
       place = k;
     }
@@ -186,10 +246,10 @@ void AnchorCells::remove(std::int32_t sphere, std::int32_t cell) {
   }
   assert(holder);
   const std::size_t k = taken(*last) - 1;
-  holder->sphere[place] = last->sphere[k];
+  holder->label[place] = last->label[k];
   std::copy_n(last->xy[k], 2, holder->xy[place]);
   holder->z[place] = last->z[k];
-  last->sphere[k] = free_place;
+  last->label[k] = free_place;
   last->xy[k][0] = far_away;
   last->xy[k][1] = last->z[k] = 0;
   if (k == 0 && before_last) {

@@ -28,10 +28,10 @@ class AnchorCells {
   /// Cells that follow one another along x, and the place around which anchors are looked for
   /// there: it may slide along x.
   struct Row {
-    std::int32_t first, last;           ///< cells
-    Way way;                            ///< that leads there
-    std::array<std::int16_t, 3> place;  ///< from the lower corner of the first cell, grains
-    std::int16_t slide;                 ///< how far either way, grains
+    std::int32_t first, last;  ///< cells
+    Way way;                   ///< that leads there
+    Anchor::Place place;       ///< from the lower corner of the first cell, grains
+    std::int16_t slide;        ///< how far either way, grains
   };
   /// What is near.
   struct Range {
@@ -39,16 +39,26 @@ class AnchorCells {
     std::int16_t cell_width;  ///< along x, grains
   };
 
+  /// What is near, where spheres differ in size. Each has a code of its size in its label.
+  struct SizedRange {
+    int reach;                ///< distance of one whose code is 0, grains
+    int shift;                ///< for each code it is 2^shift grains more
+    std::int16_t cell_width;  ///< as above
+  };
+
   explicit AnchorCells(std::int32_t cells);
 
-  void insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor);
-  void remove(std::int32_t sphere, std::int32_t cell);
+  /// \param label  number of the sphere; beyond Neighbour::sphere_bits a code of its size, below
+  /// 128
+  void insert(std::int32_t label, std::int32_t cell, const Anchor& anchor);
+  void remove(std::int32_t label, std::int32_t cell);
 
   /// Writes the neighbours in rows of cells to `found`.
   ///
   /// \param found  with room for room() of each cell and `slack` more
   /// \return       the end of what has been written
   Neighbour* find(std::span<const Row> rows, const Range& range, Neighbour* found) const;
+  Neighbour* find(std::span<const Row> rows, const SizedRange& range, Neighbour* found) const;
 
   /// No cell has had more spheres, or few more.
   std::size_t room() const { return longest_ * Chunk::places; }
@@ -67,7 +77,7 @@ class AnchorCells {
     static constexpr std::size_t places = 6;
     static constexpr std::int32_t none = -1;
     std::int16_t xy[places][2];
-    std::int32_t sphere[places];
+    std::int32_t label[places];
     std::int16_t z[places];
     std::int32_t next = none;  ///< further spheres of the cell
   };

@@ -49,7 +49,7 @@ Spheres<Dim, Real>::Spheres(Archived archived, const ShearBox<Dim, Real>& box,
       require_archived(place >= 0 && place <= AnchorCells::grains_a_cell,
                        "an anchor outside of its cell");
     }
-    anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+    insert_anchor(i);
     for (const auto packed : archive.template next<std::vector<std::uint32_t>>()) {
       const auto neighbour = Neighbour::from_packed(packed);
       const std::int32_t j = neighbour.sphere();

@@ -12,6 +12,16 @@ namespace zenosphere {
 
 namespace {
 
+/// Where `wanted` stands first, behind the entries that a set can tell apart; or the end.
+Neighbour* behind_a_set(Neighbour* entries, std::size_t count, std::uint32_t wanted) {
+  for (std::size_t first = most_in_a_set; first < count; first += most_in_a_set) {
+    const std::uint64_t places =
+        places_of(entries + first, count - first, wanted, ~std::uint32_t{0});
+    if (places != 0) return entries + first + std::countr_zero(places);
+  }
+  return entries + count;
+}
+
 /// What may be read behind the end of a list, since entries are read four at a time.
 constexpr std::size_t slack = 3;
 
@@ -58,7 +68,7 @@ void NeighbourLists::drop(std::int32_t i, Neighbour neighbour) {
   const std::size_t count = this->count(i);
   const std::uint64_t places = places_of(list, count, neighbour.packed(), ~std::uint32_t{0});
   Neighbour* const place =
-      places != 0 ? list + std::countr_zero(places) : std::find(list, list + count, neighbour);
+      places != 0 ? list + std::countr_zero(places) : behind_a_set(list, count, neighbour.packed());
   if (place == list + count) return;  // only in a state that somebody has made up
   *place = list[count - 1];
   resize(i, count - 1);
@@ -82,7 +92,7 @@ Neighbour* NeighbourLists::resize_long(std::int32_t i, std::size_t count) {
   head(i).count = static_cast<std::uint32_t>(count);
   const std::uint32_t number = was_long ? usual->packed() : take_long_list();
   std::vector<Neighbour>& list = long_[number];
-  if (list.size() < count + slack) list.resize(2 * count + slack);
+  if (list.size() < count + slack) list.resize(count + count / 2 + slack);
   if (!was_long) {
     std::copy_n(usual, before, list.begin());
     *usual = Neighbour::from_packed(number);

@@ -52,7 +52,8 @@ class Neighbour {
 /// front of each stands the anchor of its sphere, because the two are read and renewed together.
 class NeighbourLists {
  public:
-  static constexpr std::size_t most = 65532;  ///< on one list
+  static constexpr std::size_t most = 65532;      ///< on one list
+  static constexpr std::size_t most_places = 64;  ///< that a set of bits can tell apart
 
   /// \param mean  length that lists are expected to have
   NeighbourLists(std::int32_t spheres, double mean);
@@ -63,7 +64,7 @@ class NeighbourLists {
   /// The neighbours of i. Up to three more may be read, some that there have been once.
   std::span<const Neighbour> of(std::int32_t i) const { return {entries(i), count(i)}; }
 
-  /// Where j stands on the list of i, as a set of bits; among the first 64.
+  /// Where j stands on the list of i, as a set of bits; among the first `most_places`.
   std::uint64_t places(std::int32_t i, std::int32_t j) const;
 
   /// What it takes to give a sphere other neighbours.

@@ -45,17 +45,35 @@ double free_path_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   return mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
 }
 
-/// Of cells in which spheres are looked for to be put on lists, diameters.
+/// How far apart the anchors of equal spheres on one list may be, diameters.
 ///
 /// \param share  volume for each sphere, diameters^dimension
-double width_for_lists(double share, int dimension, double largest_diameter) {
+double width_for_lists(double share, int dimension, double diameter) {
   constexpr double spheres_a_cell = 3.5;
   constexpr double cells_a_sphere = 2;  // at most, however dilute
   constexpr double least = 1.1;
   const double width = std::pow(spheres_a_cell * share, 1.0 / dimension);
   const double sparse = std::pow(share / cells_a_sphere, 1.0 / dimension);
-  const double most = most_width(dimension) * largest_diameter;
-  return std::max({std::min(width, most), sparse, least * largest_diameter});
+  const double most = most_width(dimension) * diameter;
+  return std::max({std::min(width, most), sparse, least * diameter});
+}
+
+/// Of cells in which spheres are looked for to be put on lists, diameters. The largest find as much
+/// room in their balls as spheres of the mean size would in a system of these alone.
+double width_for_lists(double share, int dimension, const Sizes& sizes) {
+  const double width = width_for_lists(share, dimension, sizes.mean);
+  if (!(sizes.largest > sizes.mean)) return width;
+  constexpr double least = 0.02;  // of the largest diameter, so that grains are small beside it
+  return sizes.largest + std::max(width - sizes.mean, least * sizes.largest);
+}
+
+/// How many lists of a sphere last together as long as layers slide by a cell: two, or more where
+/// small spheres would have to look far along wide cells.
+///
+/// \param distance  of the anchors of two spheres of the mean size, diameters
+int lists_a_cell(double distance, double width) {
+  constexpr double most = 4;  // with more of them most lists end before their sphere has moved away
+  return static_cast<int>(std::clamp(std::ceil(width / distance), 2.0, most));
 }
 
 /// The same without lists; 0 where spheres are too close together for that, or too far apart.
@@ -77,7 +95,7 @@ Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const
                      bool are_alone) {
   constexpr int grains_of_error = 4;  // of the distance of two anchors; twice that is left
   double widest = 0;
-  double width = width_for_lists(static_cast<double>(box.volume()) / spheres, Dim, sizes.largest);
+  double width = width_for_lists(static_cast<double>(box.volume()) / spheres, Dim, sizes);
   for (int axis = 0; axis < Dim; ++axis) {
     const double here = static_cast<double>(box.cell_width()[axis]);
     widest = std::max(widest, here);
@@ -95,7 +113,8 @@ Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const
   width = std::min(width, std::max(most, sizes.largest + 100 * settling.grain));
   settling.reach = (width - sizes.largest) / 2 - grains_of_error * settling.grain;
   settling.distance = width;
-  settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / 2
+  settling.lists_a_cell = lists_a_cell(width - sizes.largest + sizes.mean, width);
+  settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / settling.lists_a_cell
                                      : std::numeric_limits<double>::infinity();
   // Which a `float` holds, however long the time unit of the case is.
   const auto clock_unit = static_cast<double>(box.clock_unit());
@@ -104,6 +123,8 @@ Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const
   const double usual = width - sizes.largest + sizes.mean;  // distance of anchors
   settling.neighbours = spheres / static_cast<double>(box.volume()) *
                         unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(usual, Dim);
+  constexpr double scatter = 1.4;  // large ones have more, and those where wide cells slide
+  if (sizes.largest > sizes.mean) settling.neighbours *= scatter;
   constexpr std::int32_t many = 100;  // fewer are fast anyway, and keep the digits that they have
   settling.is_dilute =
       (spheres >= many || are_alone) && free_path_in(box, spheres) > 2 * settling.reach;
@@ -117,7 +138,7 @@ double fitting_cell_width(const Filling& filling) {
   const int dimension = static_cast<int>(sides.size());
   const double volume = std::accumulate(sides.begin(), sides.end(), 1.0, std::multiplies<>());
   const double share = volume / static_cast<double>(filling.spheres);
-  const double narrow = width_without_lists(share, dimension, filling.largest_diameter);
+  const double narrow = width_without_lists(share, dimension, filling.sizes.largest);
   if (filling.is_straight && narrow > 0) {
     constexpr double margin = 1e-8;  // more than ShearBox takes
     Steps<3> cells{};
@@ -126,7 +147,7 @@ double fitting_cell_width(const Filling& filling) {
     }
     if (CellSearch<3>::has_room_in(cells)) return narrow;
   }
-  return width_for_lists(share, dimension, filling.largest_diameter);
+  return width_for_lists(share, dimension, filling.sizes);
 }
 
 template <int Dim, class Real>

@@ -13,6 +13,7 @@ struct Settling {
   double grain;        ///< unit of places within cells, diameters
   double reach;        ///< from its anchor, diameters
   double distance;     ///< of anchors, diameters: spheres further apart cannot touch
+  int lists_a_cell;    ///< while layers slide by a cell, so many lists are needed one by one
   double window;       ///< time; infinite without shear
   double expiry_unit;  ///< of Anchor::expires, time: a power of two about as long as the clock unit
   double neighbours;   ///< on a list, where the spheres are spread evenly
@@ -56,7 +57,7 @@ Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
 struct Filling {
   std::span<const double> sides;  ///< diameters
   std::int64_t spheres;
-  double largest_diameter = 1;
+  Sizes sizes{};
   bool is_straight = true;  ///< spheres do not fall
 };
 

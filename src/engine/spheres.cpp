@@ -26,10 +26,10 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
   if (search_) return;
   for (std::int32_t i = 0; i < count(); ++i) {
     // As if it had been alone until now.
-    anchor_cells_.remove(i, (*this)[i].cell);
+    remove_anchor(i);
     const std::span<Neighbour> neighbours = neighbours_of(i, 0);
     lists_.replace(i, neighbours, lists_.changes(i, neighbours));
-    anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+    insert_anchor(i);
     is_crowded_ = is_crowded_ || (settling_.is_wide && neighbours.size() > most_alone);
   }
   if (is_crowded_) settle_in_crowd(0);
@@ -57,6 +57,7 @@ Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains,
     cell_grains_[static_cast<std::size_t>(axis)] =
         static_cast<int>(static_cast<double>(box_.cell_width()[axis]) / settling_.grain + 0.5);
   }
+  if (box.is_sheared()) slide_grains_ = cell_grains_[0] / (2 * settling_.lists_a_cell) + 1;
   for (const Real& diameter : grains_.diameters) radii_.push_back(diameter / 2);
   require_room();
   find_images();
@@ -123,7 +124,7 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
       search_->insert(i, (*this)[i].cell);
     } else {
       drop_anchor(i, 0, {});
-      anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+      insert_anchor(i);
     }
   }
 }
@@ -154,7 +155,7 @@ Neighbour Spheres<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const Re
   }
   const auto neighbours = lists_.of(i);
   std::uint64_t places = lists_.places(i, j);
-  if (places == 0) return nearest_image(i, j, when);
+  if (places == 0) return not_listed_first(i, j, when);
   Neighbour nearest = neighbours[static_cast<std::size_t>(std::countr_zero(places))];
   places &= places - 1;
   if (places == 0) [[likely]]
@@ -164,6 +165,18 @@ Neighbour Spheres<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const Re
     if (square(i, other, when) < square(i, nearest, when)) nearest = other;
   }
   return nearest;
+}
+
+/// As neighbour(), where j is not among the first on the list of i: a large sphere may have many
+/// small neighbours, of whose shorter lists it is on the first places.
+template <int Dim, class Real>
+Neighbour Spheres<Dim, Real>::not_listed_first(std::int32_t i, std::int32_t j,
+                                               const Real& when) const {
+  const auto neighbours = lists_.of(j);
+  const std::uint64_t places = lists_.places(j, i);
+  const bool is_all = neighbours.size() <= NeighbourLists::most_places;
+  if (!is_all || !std::has_single_bit(places)) return nearest_image(i, j, when);
+  return neighbours[static_cast<std::size_t>(std::countr_zero(places))].reversed(j);
 }
 
 /// As neighbour(), whether or not it is on a list: of all ways that lead from one layer to the

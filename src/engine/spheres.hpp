@@ -19,6 +19,7 @@
 #include "engine/neighbour_lists.hpp"
 #include "engine/settling.hpp"
 #include "engine/simd/first_contacts.hpp"
+#include "engine/sized_anchors.hpp"
 #include "engine/sliding_cells.hpp"
 #include "engine/sphere.hpp"
 #include "model/archive.hpp"
@@ -34,10 +35,11 @@ namespace zenosphere {
 ///
 /// A sphere is *settled* now and then: it gets an anchor where it is, or somewhat ahead, the cell
 /// of the anchor, and a list of all who can touch it while both stay within reach of their anchors.
-/// When it leaves that ball, or the layers have slid on by half a cell, it has to be settled again.
-/// Until then cell and frame stay, also where the sphere is a little outside. In dilute systems
-/// there are neither anchors nor lists (see CellSearch): a sphere is settled in the next cell when
-/// it crosses a face of its own. Nothing in here knows about collisions or the order of events.
+/// When it leaves that ball, or the layers have slid on by half a cell or less, it has to be
+/// settled again. Until then cell and frame stay, also where the sphere is a little outside. In
+/// dilute systems there are neither anchors nor lists (see CellSearch): a sphere is settled in the
+/// next cell when it crosses a face of its own. Nothing in here knows about collisions or the order
+/// of events.
 ///
 /// Source: neighbour lists in event-driven dynamics: Donev, Torquato & Stillinger, J. Comput. Phys.
 /// 202 (2005) 737. That each is renewed alone, and the frames that slide, are ours.
@@ -88,7 +90,8 @@ class Spheres {
   [[gnu::always_inline]] Vector position_at(const Sphere& sphere, const Real& when) const {
     const Real flight = when - sphere.time;
     Vector position = sphere.position + sphere.velocity * flight;
-    if (is_pulled(sphere)) position += acceleration_ * (flight * flight / 2);
+    if (is_pulled(sphere)) [[unlikely]]
+      position += acceleration_ * (flight * flight / 2);
     return position;
   }
   Vector velocity_at(const Sphere& sphere, const Real& when) const {
@@ -264,14 +267,14 @@ class Spheres {
           ArchiveReader& archive);
   void find_contacts_of(std::int32_t i, std::span<const Neighbour> neighbours, const Real& when,
                         ContactsAhead<Real>& ahead) const;
-  std::span<Neighbour> keep_within_reach(std::int32_t i, std::span<Neighbour> neighbours,
-                                         const Real& when) const;
+  std::span<Neighbour> without_immobile(std::span<Neighbour> neighbours) const;
   const Real& radius(std::int32_t i) const { return radii_[static_cast<std::size_t>(i)]; }
   void require_room() const;
   void displace_images(const Real& offset);
   void place(const Configuration<Dim, Real>& start);
   Vector way_to_anchor(const Vector& velocity, const Real& flight) const;
   void drop_anchor(std::int32_t i, const Real& when, const Vector& ahead);
+  Anchor::Place place_in_cell(const Vector& place, std::int32_t cell) const;
   Vector corner(std::int32_t cell) const;
   bool is_crowd_in_a_cell() const;
   Way go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
@@ -290,14 +293,27 @@ class Spheres {
   void use_cells();
   void use_lists();
   Vec<Dim, double> brought_back(Sphere& sphere, const Real& when) const;
+  void insert_anchor(std::int32_t i);
+  void remove_anchor(std::int32_t i);
   std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when);
+  std::span<Neighbour> neighbours_of_one_size(std::int32_t i, const Real& when);
+  std::span<Neighbour> neighbours_by_size(std::int32_t i, const Real& when);
+  typename SizedAnchors<Dim>::Viewer viewer(std::int32_t i, const Steps<Dim>& home,
+                                            const Anchor::Place& place, const Real& when) const;
   Slides slides(const Steps<Dim>& home, const Real& when) const;
+  /// The same in grains, in the middle of the time for which a list lasts.
+  struct SlidGrains {
+    std::array<int, 3> layers;  ///< below, beside and above: where they are along x
+    int either_way;             ///< how far adjacent ones slide before and after that
+  };
+  SlidGrains slid_grains(const Slides& slid) const;
   typename SlidingCells<Dim>::Reach columns_within_reach(double place, const Slides& slid) const;
   void find_images();
   Real time_in_ball(const Vector& away, const Vector& velocity) const;
   Real time_in_cube(const Vector& away, const Vector& velocity, const Vector& pull) const;
   /// Half the side of the cube inside the ball that is within reach, diameters.
   double reach_along_axes() const { return settling_.reach / std::sqrt(double{Dim}); }
+  Neighbour not_listed_first(std::int32_t i, std::int32_t j, const Real& when) const;
   Neighbour nearest_image(std::int32_t i, std::int32_t j, const Real& when) const;
   Real square(std::int32_t i, Neighbour neighbour, const Real& when) const;
   void require_possible(const Sphere& sphere) const;
@@ -368,15 +384,17 @@ class Spheres {
   Settling settling_;
   bool is_crowded_ = false;             ///< and the balls are still wide
   std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded
-  Real offset_ = 0;                     ///< of the upper image of the box at the start, diameters
-  double odd_offset_ = 0;               ///< of it the part beside whole cells, in cells
+  int slide_grains_ = 0;   ///< by which adjacent layers slide while half of a list's time passes
+  Real offset_ = 0;        ///< of the upper image of the box at the start, diameters
+  double odd_offset_ = 0;  ///< of it the part beside whole cells, in cells
   HugePageVector<Sphere> spheres_;
   HugePageVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
   std::optional<CellSearch<Dim>> search_;   ///< in place of lists and anchors, or none
   NeighbourLists lists_;
-  AnchorCells anchor_cells_;
-  std::vector<Neighbour> nearby_;               ///< scratch
-  std::array<Image<Dim, Real>, 256> images_{};  ///< of each way, at remainder 0
+  AnchorCells anchor_cells_;                        ///< of spheres of one size
+  std::optional<SizedAnchors<Dim>> sized_anchors_;  ///< in place of these, or none
+  std::vector<Neighbour> nearby_;                   ///< scratch
+  std::array<Image<Dim, Real>, 256> images_{};      ///< of each way, at remainder 0
 };
 
 }  // namespace zenosphere

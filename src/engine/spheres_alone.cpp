@@ -70,7 +70,7 @@ void Spheres<Dim, Real>::settle_in_crowd(const Real& when) {
     use_lists();
     for (std::int32_t i = 0; i < count(); ++i) {
       drop_anchor(i, when, {});
-      anchor_cells_.insert(i, (*this)[i].cell, anchor(i));
+      insert_anchor(i);
     }
   }
   for (std::int32_t i = 0; i < count(); ++i) settle(i, when, when);

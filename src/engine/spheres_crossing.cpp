@@ -24,7 +24,15 @@ template <int Dim, class Real>
 void Spheres<Dim, Real>::use_lists() {
   search_.reset();
   lists_ = NeighbourLists(count(), settling_.neighbours);
-  anchor_cells_ = AnchorCells(cells_.count());
+  if (are_of_one_size()) {
+    anchor_cells_ = AnchorCells(cells_.count());
+    return;
+  }
+  std::vector<double> radii;
+  for (const Real& radius : radii_) radii.push_back(static_cast<double>(radius));
+  const AnchorGrid<Dim> grid{cell_grains_, settling_.grain, static_cast<double>(box_.volume()),
+                             box_.is_closed(0)};
+  sized_anchors_.emplace(cells_, grid, radii);
 }
 
 /// When a sphere leaves its cell: of a time after `until` only that it is after it.

@@ -9,16 +9,6 @@
 
 namespace zenosphere {
 
-namespace {
-
-/// The least size of a number that changes from `from` to `to`.
-double least_size(double from, double to) {
-  if ((from < 0) != (to < 0)) return 0;
-  return std::min(std::abs(from), std::abs(to));
-}
-
-}  // namespace
-
 /// As find_contacts(), with the mean diameter of each pair.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::find_contacts_of(std::int32_t i, std::span<const Neighbour> neighbours,
@@ -40,51 +30,66 @@ void Spheres<Dim, Real>::find_contacts_of(std::int32_t i, std::span<const Neighb
   }
 }
 
-/// Those of i's neighbours that it can touch: the search has taken all for the largest.
-///
-/// Two that never change their velocity do not meet: they are where the start has put them.
 template <int Dim, class Real>
-std::span<Neighbour> Spheres<Dim, Real>::keep_within_reach(std::int32_t i,
-                                                           std::span<Neighbour> neighbours,
-                                                           const Real& when) const {
-  const auto anchor_of = [&](std::int32_t k) {
-    const Vector corner = this->corner((*this)[k].cell);
-    Vec<Dim, double> place;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const int grains = anchor(k).place[static_cast<std::size_t>(axis)];
-      place[axis] = static_cast<double>(corner[axis]) + grains * settling_.grain;
-    }
-    return place;
+void Spheres<Dim, Real>::insert_anchor(std::int32_t i) {
+  const std::int32_t cell = (*this)[i].cell;
+  if (!sized_anchors_) [[likely]]
+    return anchor_cells_.insert(i, cell, anchor(i));
+  sized_anchors_->insert(i, cell, anchor(i));
+}
+
+template <int Dim, class Real>
+void Spheres<Dim, Real>::remove_anchor(std::int32_t i) {
+  const std::int32_t cell = (*this)[i].cell;
+  if (!sized_anchors_) [[likely]]
+    return anchor_cells_.remove(i, cell);
+  sized_anchors_->remove(i, cell, anchor(i));
+}
+
+/// As neighbours_of_one_size(), each pair by its own distance.
+template <int Dim, class Real>
+std::span<Neighbour> Spheres<Dim, Real>::neighbours_by_size(std::int32_t i, const Real& when) {
+  const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
+  return sized_anchors_->find(cells_, viewer(i, home, anchor(i).place, when), nearby_);
+}
+
+/// \param home   the cell in which it is, or will be
+/// \param place  there, grains
+template <int Dim, class Real>
+typename SizedAnchors<Dim>::Viewer Spheres<Dim, Real>::viewer(std::int32_t i,
+                                                              const Steps<Dim>& home,
+                                                              const Anchor::Place& place,
+                                                              const Real& when) const {
+  const double beyond = settling_.distance - static_cast<double>(largest_);
+  const SlidGrains slid = slid_grains(slides(home, when));
+  return {.sphere = i,
+          .home = home,
+          .place = place,
+          .slid = slid.layers,
+          .slide = slid.either_way,
+          .beyond = static_cast<int>(std::ceil(beyond / settling_.grain))};
+}
+
+/// Without those that are immobile: two that never change their velocity do not meet, they are
+/// where the start has put them.
+template <int Dim, class Real>
+std::span<Neighbour> Spheres<Dim, Real>::without_immobile(std::span<Neighbour> neighbours) const {
+  const auto is_immobile = [&](Neighbour neighbour) {
+    return grains_.is_immobile(neighbour.sphere());
   };
-  const Vec<Dim, double> here = anchor_of(i);
-  const double most = settling_.distance - static_cast<double>(largest_);
-  const auto is_out_of_reach = [&](Neighbour neighbour) {
-    const std::int32_t j = neighbour.sphere();
-    if (grains_.is_immobile(i) && grains_.is_immobile(j)) return true;
-    if (are_of_one_size()) return false;
-    const Image<Dim, Real>& image = this->image(neighbour.way());
-    Vec<Dim, double> between = anchor_of(j) - here;
-    for (int axis = 0; axis < Dim; ++axis) {
-      between[axis] += static_cast<double>(image.position[axis]);
-    }
-    // Layers slide while the list lasts.
-    const auto slide = static_cast<double>(image.velocity);
-    if (slide != 0) {
-      between[0] += slide * static_cast<double>(when);
-      between[0] = least_size(between[0], between[0] + slide * settling_.window);
-    }
-    const double reach = most + static_cast<double>(sigma(i, j));
-    return dot(between, between) > reach * reach;
-  };
-  const auto end = std::remove_if(neighbours.begin(), neighbours.end(), is_out_of_reach);
+  const auto end = std::remove_if(neighbours.begin(), neighbours.end(), is_immobile);
   return neighbours.first(static_cast<std::size_t>(end - neighbours.begin()));
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                      \
-  template void Spheres<Dim, Real>::find_contacts_of(std::int32_t, std::span<const Neighbour>, \
-                                                     const Real&, ContactsAhead<Real>&) const; \
-  template std::span<Neighbour> Spheres<Dim, Real>::keep_within_reach(                         \
-      std::int32_t, std::span<Neighbour>, const Real&) const;
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                          \
+  template void Spheres<Dim, Real>::find_contacts_of(std::int32_t, std::span<const Neighbour>,     \
+                                                     const Real&, ContactsAhead<Real>&) const;     \
+  template void Spheres<Dim, Real>::insert_anchor(std::int32_t);                                   \
+  template void Spheres<Dim, Real>::remove_anchor(std::int32_t);                                   \
+  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_by_size(std::int32_t, const Real&); \
+  template typename SizedAnchors<Dim>::Viewer Spheres<Dim, Real>::viewer(                          \
+      std::int32_t, const Steps<Dim>&, const Anchor::Place&, const Real&) const;                   \
+  template std::span<Neighbour> Spheres<Dim, Real>::without_immobile(std::span<Neighbour>) const;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

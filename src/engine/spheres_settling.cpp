@@ -89,7 +89,7 @@ std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real
                                                       const Real& meeting) {
   if (search_) return cross_face(i, when);
   Sphere& sphere = (*this)[i];
-  anchor_cells_.remove(i, sphere.cell);
+  remove_anchor(i);
   const Vector ahead = way_to_anchor(velocity_at(sphere, when), meeting - when);
   // Every way may lead elsewhere now. In a narrow box, with several ways to one neighbour, one that
   // is known could pass for another one that is new.
@@ -110,7 +110,7 @@ std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real
     lists_.fetch(i, neighbours, changes);
   }
   lists_.replace(i, neighbours, changes);
-  anchor_cells_.insert(i, sphere.cell, anchor(i));
+  insert_anchor(i);
   is_crowded_ = is_crowded_ || (settling_.is_wide && neighbours.size() > most_alone);
   // What looks at four at once looks beyond the end: at nobody for whom it would have to wait.
   if (!fresh.empty()) std::fill_n(nearby_.data() + changes.fresh, 3, fresh.back());
@@ -136,15 +136,22 @@ Vec<Dim, Real> Spheres<Dim, Real>::way_to_anchor(const Vector& velocity, const R
 /// \param ahead  from where the sphere is at `when` to its anchor
 template <int Dim, class Real>
 void Spheres<Dim, Real>::drop_anchor(std::int32_t i, const Real& when, const Vector& ahead) {
-  const Vector place = position_at((*this)[i], when) + ahead;
-  const Vector corner = this->corner((*this)[i].cell);
-  for (int axis = 0; axis < Dim; ++axis) {
-    const double grains = static_cast<double>(place[axis] - corner[axis]) / settling_.grain;
-    anchor(i).place[static_cast<std::size_t>(axis)] =
-        static_cast<std::int16_t>(floor_within(0, AnchorCells::grains_a_cell, grains + 0.5));
-  }
+  anchor(i).place = place_in_cell(position_at((*this)[i], when) + ahead, (*this)[i].cell);
   anchor(i).expires =
       static_cast<float>((static_cast<double>(when) + settling_.window) / settling_.expiry_unit);
+}
+
+/// A place from the lower corner of a cell, in grains.
+template <int Dim, class Real>
+Anchor::Place Spheres<Dim, Real>::place_in_cell(const Vector& place, std::int32_t cell) const {
+  const Vector corner = this->corner(cell);
+  Anchor::Place in_cell{};
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double grains = static_cast<double>(place[axis] - corner[axis]) / settling_.grain;
+    in_cell[static_cast<std::size_t>(axis)] =
+        static_cast<std::int16_t>(floor_within(0, AnchorCells::grains_a_cell, grains + 0.5));
+  }
+  return in_cell;
 }
 
 /// The lower corner of a cell.
@@ -211,16 +218,19 @@ void Spheres<Dim, Real>::see_from(Sphere& sphere, Way way) const {
 /// other.
 template <int Dim, class Real>
 std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Real& when) {
+  if (!is_mixture_) [[likely]]
+    return neighbours_of_one_size(i, when);
+  const std::span near =
+      are_of_one_size() ? neighbours_of_one_size(i, when) : neighbours_by_size(i, when);
+  return grains_.is_immobile(i) ? without_immobile(near) : near;
+}
+
+template <int Dim, class Real>
+std::span<Neighbour> Spheres<Dim, Real>::neighbours_of_one_size(std::int32_t i, const Real& when) {
   const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
   const Anchor& anchor = this->anchor(i);
-  // Adjacent layers slide on by half a cell while the list lasts: a quarter either way of the
-  // middle.
-  const int quarter = box_.is_sheared() ? cell_grains_[0] / 4 + 1 : 0;
   const Slides slid = slides(home, when);
-  const auto grains = [&](double columns) {
-    return static_cast<int>(columns * cell_grains_[0] + 0.5) + quarter;
-  };
-  const std::array<int, 3> slid_grains{-grains(slid.below), 0, grains(slid.above)};
+  const SlidGrains slid_grains = this->slid_grains(slid);
   const double column =
       anchor.place[0] * settling_.grain / static_cast<double>(box_.cell_width()[0]);
   std::array<AnchorCells::Row, most_cells_around> rows;  // a cell in each at least
@@ -229,8 +239,10 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
                            const Steps<Dim>& steps) {
     const int layers = SlidingCells<Dim>::layers(steps);
     AnchorCells::Row& row = rows[count++];
-    row = {first, last, way, anchor.place, static_cast<std::int16_t>(layers != 0 ? quarter : 0)};
-    row.place[0] -= static_cast<std::int16_t>(slid_grains[static_cast<std::size_t>(layers + 1)]);
+    const int either_way = layers != 0 ? slid_grains.either_way : 0;
+    row = {first, last, way, anchor.place, static_cast<std::int16_t>(either_way)};
+    const int along_x = slid_grains.layers[static_cast<std::size_t>(layers + 1)];
+    row.place[0] -= static_cast<std::int16_t>(along_x);
     for (std::size_t axis = 0; axis < Dim; ++axis) {
       row.place[axis] -= static_cast<std::int16_t>(steps[axis] * cell_grains_[axis]);
     }
@@ -242,8 +254,15 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
   nearby_.resize(most_cells_around * anchor_cells_.room() + AnchorCells::slack);
   const Neighbour* const end =
       anchor_cells_.find(std::span(rows).first(count), range, nearby_.data());
-  const std::span near(nearby_.data(), static_cast<std::size_t>(end - nearby_.data()));
-  return is_mixture_ ? keep_within_reach(i, near, when) : near;
+  return {nearby_.data(), static_cast<std::size_t>(end - nearby_.data())};
+}
+
+template <int Dim, class Real>
+typename Spheres<Dim, Real>::SlidGrains Spheres<Dim, Real>::slid_grains(const Slides& slid) const {
+  const auto grains = [&](double columns) {
+    return static_cast<int>(columns * cell_grains_[0] + 0.5) + slide_grains_;
+  };
+  return {{-grains(slid.below), 0, grains(slid.above)}, slide_grains_};
 }
 
 template <int Dim, class Real>
@@ -257,6 +276,10 @@ void Spheres<Dim, Real>::fetch_cells(std::int32_t i, const Real& when) const {
                           search_->members().fetch(first, last);
                         });
     return;
+  }
+  if (sized_anchors_) {
+    const auto place = place_in_cell(position_at(sphere, when), sphere.cell);
+    return sized_anchors_->fetch(cells_, viewer(i, home, place, when));
   }
   const Real column = position_at(sphere, when)[0] / box_.cell_width()[0] - home[0];
   cells_.for_each_run(home, columns_within_reach(static_cast<double>(column), slides(home, when)),
@@ -288,11 +311,11 @@ typename Spheres<Dim, Real>::Slides Spheres<Dim, Real>::slides(const Steps<Dim>&
 template <int Dim, class Real>
 typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(
     double place, const Slides& slid) const {
-  const double window = box_.is_sheared() ? 0.5 : 0;
+  const double window = box_.is_sheared() ? 1.0 / settling_.lists_a_cell : 0;
   const double distance = settling_.distance / static_cast<double>(box_.cell_width()[0]);
   typename SlidingCells<Dim>::Reach reach;
   for (const int layers : {-1, 0, 1}) {
-    // The cell of column d then covers d + slide to d + slide + 1, and slides on by half a cell.
+    // The cell of column d then covers d + slide to d + slide + 1, and slides on by `window`.
     double least = 0;
     double most = 0;
     if (layers != 0) {
@@ -345,6 +368,10 @@ void Spheres<Dim, Real>::turn() {
   template Way Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) const;     \
   template void Spheres<Dim, Real>::see_from(Sphere&, Way) const;                                  \
   template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);      \
+  template typename Spheres<Dim, Real>::Slides Spheres<Dim, Real>::slides(const Steps<Dim>&,       \
+                                                                          const Real&) const;      \
+  template typename Spheres<Dim, Real>::SlidGrains Spheres<Dim, Real>::slid_grains(const Slides&)  \
+      const;                                                                                       \
   template void Spheres<Dim, Real>::set_back(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

@@ -11,7 +11,7 @@
 namespace zenosphere {
 
 /// Of lists longer than this the rest is dealt with one by one.
-inline constexpr std::size_t most_in_a_set = 64;
+inline constexpr std::size_t most_in_a_set = NeighbourLists::most_places;
 
 /// A set of as many bits as there are neighbours that a set can tell apart.
 inline std::uint64_t all_of(std::size_t count) {

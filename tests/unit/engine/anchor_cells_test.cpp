@@ -91,7 +91,7 @@ TEST(AnchorCells, FindNobodyInEmptyCells) {
   for (const auto x : {std::int16_t{-9000}, std::int16_t{0}, std::int16_t{24000}}) {
     std::vector<Neighbour> found(kCells * cells.room() + AnchorCells::slack);
     const std::array<AnchorCells::Row, 1> row{{{0, kCells - 1, Way(), {x, 0, 0}, 1500}}};
-    EXPECT_EQ(cells.find(row, {6000 * 6000, kWidth}, found.data()), found.data());
+    EXPECT_EQ(cells.find(row, AnchorCells::Range{6000 * 6000, kWidth}, found.data()), found.data());
   }
 }
 
