@@ -26,12 +26,12 @@ struct Arguments {
 struct Counts {
   explicit Counts(const Gas& gas)
       : collisions(gas.collisions()),
-        settlings(gas.settlings()),
+        rebuilds(gas.rebuilds()),
         stale(gas.stale_events()),
         time(gas.time()) {}
 
   std::int64_t collisions;
-  std::int64_t settlings;
+  std::int64_t rebuilds;
   std::int64_t stale;
   double time;
 };
@@ -70,7 +70,7 @@ void print(const Arguments& arguments, const Counts& before, const Counts& after
   fmt::print(R"({{"spheres": {}, "fraction": {}, "restitution": {}, "shear_rate": {}, )"
              R"("collisions": {}, "user_seconds": {:.6f}, "system_seconds": {:.6f}, )"
              R"("wall_seconds": {:.6f}, "collisions_per_second": {:.1f}, )"
-             R"("settlings_per_collision": {:.4f}, "stale_per_collision": {:.4f}, )"
+             R"("rebuilds_per_collision": {:.4f}, "stale_per_collision": {:.4f}, )"
              R"("start_time": {:.6g}, "end_time": {:.6g}, "setup_user_seconds": {:.3f}, )"
              R"("bytes_per_sphere": {:.1f}, "peak_bytes_per_sphere": {:.1f}, "compiler": "{}"}})"
              "\n",
@@ -78,7 +78,7 @@ void print(const Arguments& arguments, const Counts& before, const Counts& after
              arguments.gas.restitution, arguments.gas.shear_rate,
              after.collisions - before.collisions, user, end.system_seconds - start.system_seconds,
              end.wall_seconds - start.wall_seconds, collisions / user,
-             static_cast<double>(after.settlings - before.settlings) / collisions,
+             static_cast<double>(after.rebuilds - before.rebuilds) / collisions,
              static_cast<double>(after.stale - before.stale) / collisions, before.time, after.time,
              start.user_seconds, static_cast<double>(memory.now - baseline.now) / spheres,
              static_cast<double>(memory.peak - baseline.now) / spheres, BENCH_COMPILER);

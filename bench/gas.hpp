@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/settling.hpp"
+#include "engine/list_range.hpp"
 #include "engine/simulation.hpp"
 #include "engine/start.hpp"
 

@@ -84,7 +84,7 @@ void prediction_of_a_sphere(benchmark::State& state) {
 }
 BENCHMARK(prediction_of_a_sphere);
 
-/// Everything that one collision costs, settling and stale events included.
+/// Everything that one collision costs, rebuilt lists and stale events included.
 void collision_of_a_gas(benchmark::State& state) {
   const auto shear_rate = static_cast<double>(state.range(0));
   Gas gas = bench::gas(dense_gas(shear_rate > 0 ? 0.9 : 1.0, shear_rate));

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "case/case_box.hpp"
-#include "engine/anchor_cells.hpp"
-#include "engine/settling.hpp"
+#include "engine/list_range.hpp"
+#include "engine/reference_cells.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
@@ -26,7 +26,7 @@ double cell_width_of(const Case& values) {
     if (!is_closed) narrowest = std::min(narrowest, sides[axis] / 2);  // two cells at least
   }
   // Of (narrowest - largest) / 2, the radius of a ball, four grains are lost: at most half of it.
-  constexpr double most_in_grains = AnchorCells::grains_a_cell / 16.0;
+  constexpr double most_in_grains = ReferenceCells::grains_a_cell / 16.0;
   return std::min(width, std::max(most_in_grains * (narrowest - largest), narrowest));
 }
 

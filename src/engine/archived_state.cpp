@@ -26,13 +26,13 @@ Spheres<Dim, Real>::Spheres(Archived archived, const ShearBox<Dim, Real>& box,
   grains_.require_fit(spheres_.size());
   read_spins(archive);
   for (const Sphere& sphere : spheres_) require_possible(sphere);
-  const auto anchors = archive.template next<std::vector<Anchor>>();
+  const auto references = archive.template next<std::vector<ReferencePosition>>();
   const auto whole_slide = archive.template next<std::int32_t>();
   require_archived(whole_slide >= 0 && whole_slide < box.cells()[0], "layers that left the box");
   cells_.slide_to(whole_slide);
   read_images(archive);
   const bool was_wide = archive.template next<bool>();
-  require_archived(settling_.is_wide || !was_wide, "balls as wide as there are none");
+  require_archived(list_range_.is_wide || !was_wide, "balls as wide as there are none");
   const bool had_lists = archive.template next<bool>();
   require_archived(search_ || had_lists, "cells that are too wide to look in them");
   find_images();
@@ -40,20 +40,22 @@ Spheres<Dim, Real>::Spheres(Archived archived, const ShearBox<Dim, Real>& box,
     for (std::int32_t i = 0; i < count(); ++i) search_->insert(i, (*this)[i].cell);
     return;
   }
-  if (!was_wide) settling_ = settling_in_crowd(box, count(), sizes_of(grains_));
+  if (!was_wide) list_range_ = list_range_in_crowd(box, count(), sizes_of(grains_));
   if (search_) use_lists();
-  require_archived(anchors.size() == spheres_.size(), "anchors of another number of spheres");
+  require_archived(references.size() == spheres_.size(),
+                   "reference positions of another number of spheres");
   for (std::int32_t i = 0; i < count(); ++i) {
-    anchor(i) = anchors[static_cast<std::size_t>(i)];
-    for (const int place : anchor(i).place) {
-      require_archived(place >= 0 && place <= AnchorCells::grains_a_cell,
-                       "an anchor outside of its cell");
+    reference(i) = references[static_cast<std::size_t>(i)];
+    for (const int place : reference(i).place) {
+      require_archived(place >= 0 && place <= ReferenceCells::grains_a_cell,
+                       "a reference position outside of its cell");
     }
     insert_anchor(i);
     for (const auto packed : archive.template next<std::vector<std::uint32_t>>()) {
       const auto neighbour = Neighbour::from_packed(packed);
       const std::int32_t j = neighbour.sphere();
-      require_archived(j > i && j < count() && neighbour.way().code() < Way::count &&
+      require_archived(j > i && j < count() &&
+                           neighbour.periodic_image().code() < PeriodicImage::count &&
                            lists_.of(i).size() < NeighbourLists::most &&
                            lists_.of(j).size() < NeighbourLists::most,
                        "neighbours that there are not");
@@ -97,12 +99,12 @@ void Spheres<Dim, Real>::read_images(ArchiveReader& archive) {
 /// lists are sorted, since their order means nothing. Without lists the cells tell all.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::archive_to(ArchiveWriter& archive) const {
-  std::vector<Anchor> anchors;
+  std::vector<ReferencePosition> references;
   if (!search_) {
-    for (std::int32_t i = 0; i < count(); ++i) anchors.push_back(anchor(i));
+    for (std::int32_t i = 0; i < count(); ++i) references.push_back(reference(i));
   }
-  archive(spheres_, grains_, spins_, anchors, std::int32_t{cells_.whole_slide()}, offset_, boxes_,
-          settling_.is_wide, !search_);
+  archive(spheres_, grains_, spins_, references, std::int32_t{cells_.whole_slide()}, offset_,
+          boxes_, list_range_.is_wide, !search_);
   if (search_) return;
   std::vector<std::uint32_t> later;
   for (std::int32_t i = 0; i < count(); ++i) {
@@ -166,10 +168,10 @@ void Predictor<Dim, Real>::require_possible(const System<Dim, Real>& system, std
   const Real never = std::numeric_limits<Real>::infinity();
   const NextMeetings<Real>& next = meetings(i);
   for (const Meeting<Real>& meeting : {next.first(), next.second()}) {
-    const bool is_with_nobody = !meeting.is_with_anybody() && meeting.time == never;
+    const bool has_none = !meeting.has_partner() && meeting.time == never;
     const bool is_possible = meeting.time >= earliest && meeting.time <= never &&  // no NaN
                              meeting.partner() < system.partners() && meeting.partner() != i;
-    require_archived(is_possible && (meeting.is_with_anybody() || is_with_nobody),
+    require_archived(is_possible && (meeting.has_partner() || has_none),
                      "an event that there is not");
   }
 }
@@ -182,7 +184,7 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
   const std::vector<Real> times = predictor_.read_meetings(system_, archive);
   typename StrideClock<Real>::State clock;
   archive_course(*this, clock, archive);
-  require_counts(collisions(), settlings_, stale_events_, overlaps_ignored(), idle_events_);
+  require_counts(collisions(), rebuilds_, stale_events_, overlaps_ignored(), idle_events_);
   require_archived(std::isfinite(clock.stride) && clock.stride >= 1 &&
                        std::ldexp(1.0, std::ilogb(clock.stride)) == clock.stride &&
                        (clock.stride == 1 || !box.is_sheared()),

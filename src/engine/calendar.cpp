@@ -47,7 +47,7 @@ bool Calendar<Real>::go_on() {
 }
 
 template <class Real>
-void Calendar<Real>::set_back(const Real& span) {
+void Calendar<Real>::shift_times(const Real& span) {
   end_cycle();
   for (Real& time : times_) time -= span;
 }
@@ -150,7 +150,7 @@ void Calendar<Real>::open_group() {
   entries_ -= group.size();
   open_end_ += std::int32_t{kBinsInGroup};
   for (auto id = group.begin(); id != group.end(); ++id) {
-    if (group.end() - id > ahead) fetch(id[ahead]);
+    if (group.end() - id > ahead) prefetch(id[ahead]);
     const double offset = bins_after_origin(time(*id));
     if (!(offset >= opened_ && offset < open_end_)) continue;
     put_in_bin(*id, static_cast<std::int32_t>(offset));
@@ -181,7 +181,7 @@ void Calendar<Real>::open_bin() {
   ++opened_;
   if (groups_.size() > 1 && opened_ < open_end_) {
     const Bin& next = this->bin(opened_);
-    for (std::uint32_t k = 0; k < next.size; ++k) fetch(next.ids[k]);
+    for (std::uint32_t k = 0; k < next.size; ++k) prefetch(next.ids[k]);
   }
 }
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/fetching.hpp"
 #include "engine/huge_page_vector.hpp"
+#include "engine/prefetching.hpp"
 
 namespace zenosphere {
 
@@ -79,11 +79,11 @@ class Calendar {
     return lined_up_ - static_cast<std::int64_t>(line_.size() - next_);
   }
 
-  /// Fetches what will be read of the event of sphere `id`.
-  void fetch(std::int32_t id) const { fetch_line(&time(id)); }
+  /// Prefetches what will be read of the event of sphere `id`.
+  void prefetch(std::int32_t id) const { prefetch_line(&time(id)); }
 
-  /// Sets all events back by `span`, as when the clock is re-based.
-  void set_back(const Real& span);
+  /// Shifts all events by `span`, as when the clock is re-based.
+  void shift_times(const Real& span);
 
  private:
   /// One line of the cache.

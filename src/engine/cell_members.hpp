@@ -6,10 +6,10 @@
 #include <cstring>
 #include <vector>
 
-#include "engine/fetching.hpp"
 #include "engine/huge_page_vector.hpp"
 #include "engine/neighbour_lists.hpp"
-#include "engine/way.hpp"
+#include "engine/periodic_image.hpp"
+#include "engine/prefetching.hpp"
 
 namespace zenosphere {
 
@@ -21,12 +21,13 @@ class CellMembers {
   void insert(std::int32_t sphere, std::int32_t cell);
   void remove(std::int32_t sphere, std::int32_t cell);
 
-  /// Writes the spheres of the cells `first` to `last`, to which `way` leads, to `found`.
+  /// Writes the spheres of the cells `first` to `last`, in one periodic image, to `found`.
   ///
   /// \param found  with room for room() of each cell and `slack` more
   /// \return       the end of what has been written
-  Neighbour* find(std::int32_t first, std::int32_t last, Way way, Neighbour* found) const {
-    const std::uint32_t seen = Neighbour(0, way).packed();
+  Neighbour* find(std::int32_t first, std::int32_t last, PeriodicImage periodic_image,
+                  Neighbour* found) const {
+    const std::uint32_t seen = Neighbour(0, periodic_image).packed();
     for (std::int32_t cell = first; cell <= last; ++cell) {
       const Chunk& chunk = chunks_[static_cast<std::size_t>(cell)];
       found = copy(chunk, seen, found);
@@ -42,10 +43,10 @@ class CellMembers {
   /// So many Neighbours behind those that are found may be overwritten.
   static constexpr std::size_t slack = 8;
 
-  /// Fetches the cells `first` to `last`.
-  void fetch(std::int32_t first, std::int32_t last) const {
+  /// Prefetches the cells `first` to `last`.
+  void prefetch(std::int32_t first, std::int32_t last) const {
     for (std::int32_t cell = first; cell <= last; ++cell) {
-      fetch_line(&chunks_[static_cast<std::size_t>(cell)]);
+      prefetch_line(&chunks_[static_cast<std::size_t>(cell)]);
     }
   }
 

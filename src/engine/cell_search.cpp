@@ -47,8 +47,9 @@ class CellSearch<Dim>::Found {
   void add(const Reach& reach, const Rows& rows, const SlidingCells<Dim>& cells,
            const Steps<Dim>& home) {
     cells.for_each_run(home, reach, rows,
-                       [&](std::int32_t first, std::int32_t last, Way way, const Steps<Dim>&) {
-                         end_ = search_.members_.find(first, last, way, end_);
+                       [&](std::int32_t first, std::int32_t last, PeriodicImage periodic_image,
+                           const Steps<Dim>&) {
+                         end_ = search_.members_.find(first, last, periodic_image, end_);
                        });
   }
   std::span<const Neighbour> all() const {
@@ -127,8 +128,9 @@ std::span<const Neighbour> CellSearch<Dim>::slid_near(const SlidingCells<Dim>& c
 }
 
 template <int Dim>
-std::optional<Way> CellSearch<Dim>::way(const SlidingCells<Dim>& cells, const Steps<Dim>& from,
-                                        const Steps<Dim>& to) const {
+std::optional<PeriodicImage> CellSearch<Dim>::periodic_image(const SlidingCells<Dim>& cells,
+                                                             const Steps<Dim>& from,
+                                                             const Steps<Dim>& to) const {
   const auto [steps, periods] = cells.reached(from, to);
   for (std::size_t axis = 1; axis < Dim; ++axis) {
     if (steps[axis] < -1 || steps[axis] > 1) return std::nullopt;
@@ -136,7 +138,7 @@ std::optional<Way> CellSearch<Dim>::way(const SlidingCells<Dim>& cells, const St
   const int layers = SlidingCells<Dim>::layers(steps);
   const auto columns = reach(cells, from)[static_cast<std::size_t>(layers + 1)];
   if (steps[0] < columns.from || steps[0] > columns.to) return std::nullopt;
-  return Way(periods, layers);
+  return PeriodicImage(periods, layers);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim) template class CellSearch<Dim>;

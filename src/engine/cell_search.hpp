@@ -15,12 +15,12 @@ namespace zenosphere {
 /// A sphere sees all in its own cell and those around, and while it crosses no face that stays so:
 /// when it crosses one, those are new to it that are in cells which it has not seen before. Layers
 /// that slide are seen as far as they come near within one clock unit; then they have slid by a
-/// cell, and everybody sees one column more of the layer above. So of two spheres that come near
+/// cell, and each sphere sees one column more of the layer above. So of two spheres that come near
 /// each other always one is told.
 ///
-/// The box has at least seven cells along x and four along other axes, so that no sphere is seen on
-/// two ways. Spans that are returned hold until the next call; up to three neighbours more may be
-/// read behind their ends.
+/// The box has at least seven cells along x and four along other axes, so that no sphere is seen
+/// in two images. Spans that are returned hold until the next call; up to three neighbours more may
+/// be read behind their ends.
 template <int Dim>
 class CellSearch {
  public:
@@ -54,17 +54,18 @@ class CellSearch {
     Steps<Dim> from;
     Steps<Dim> to;
   };
-  /// Whom a sphere that has crossed a face has not seen before.
+  /// Those that a sphere which has crossed a face has not seen before.
   std::span<const Neighbour> beyond(const SlidingCells<Dim>& cells, const Crossing& crossing) const;
 
-  /// Whom spheres at `home` have not seen before the layers had slid by one more cell: of each pair
-  /// one sees the other here.
+  /// Those that spheres at `home` have not seen before the layers had slid by one more cell: of
+  /// each pair one sees the other here.
   std::span<const Neighbour> slid_near(const SlidingCells<Dim>& cells,
                                        const Steps<Dim>& home) const;
 
-  /// The way from one cell to another, where they are near enough for spheres in them to touch.
-  std::optional<Way> way(const SlidingCells<Dim>& cells, const Steps<Dim>& from,
-                         const Steps<Dim>& to) const;
+  /// The image in which one cell sees another, where they are near enough for spheres in them to
+  /// touch.
+  std::optional<PeriodicImage> periodic_image(const SlidingCells<Dim>& cells,
+                                              const Steps<Dim>& from, const Steps<Dim>& to) const;
 
   /// The columns of the layers below, beside and above in which a sphere sees others.
   Reach reach(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;

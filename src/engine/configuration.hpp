@@ -25,7 +25,7 @@ struct Configuration {
   /// What the spheres are; empty: unit spheres of one kind.
   Grains<Real> grains{};
 
-  /// Angular velocities, radians/time; empty: nobody turns.
+  /// Angular velocities, radians/time; empty: they do not turn.
   std::vector<Spin<Dim, Real>> spins{};
 };
 

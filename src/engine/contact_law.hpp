@@ -33,7 +33,7 @@ struct ContactCounts {
 template <int Dim, class Real>
 struct Bodies {
   const Grains<Real>& grains;
-  std::span<const Spin<Dim, Real>> spins{};  ///< of each, or none where nobody turns
+  std::span<const Spin<Dim, Real>> spins{};  ///< of each, or none where they do not turn
 
   /// radius x spin: the speed of its surface.
   Spin<Dim, Real> surface_spin(std::int32_t i) const {

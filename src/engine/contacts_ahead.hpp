@@ -16,7 +16,7 @@ struct Viewpoint {
   Real when;  ///< remainder of the clock
 };
 
-/// The contacts that a sphere may have if nobody else meets anyone before.
+/// The contacts that a sphere may have if no other pair meets before.
 template <class Real>
 struct ContactsAhead {
   struct Ahead {

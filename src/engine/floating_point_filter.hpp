@@ -23,7 +23,7 @@ class FloatingPointFilter {
   explicit FloatingPointFilter(const Viewpoint<Dim, Real>& exact)
       : from_{rough(exact.position), rough(exact.velocity), static_cast<double>(exact.when)} {}
 
-  /// Whether contact() lets nobody touch this sphere, which flies straight; false: look closer.
+  /// Whether contact() lets no sphere touch this one, which flies straight; false: look closer.
   ///
   /// \param image  in which the sphere is seen, at remainder 0
   /// \param sigma  mean diameter of the two

@@ -89,7 +89,7 @@ typename GrowingSpheres<Dim>::Round GrowingSpheres<Dim>::advance(double rate, do
     bring_to_now(i);
     wrap(i);
   }
-  calendar_.set_back(now_);
+  calendar_.shift_times(now_);
   size_ = may_fill && now_ >= end && rate > 0 ? full_size : size_ + rate * now_;
   return {now_, 2 * static_cast<double>(collisions) / static_cast<double>(count())};
 }
@@ -143,7 +143,7 @@ void GrowingSpheres<Dim>::list_neighbours(double growth) {
     neighbours_[end[static_cast<std::size_t>(pair.i)]++] = {pair.j, pair.shift};
     neighbours_[end[static_cast<std::size_t>(pair.j)]++] = {pair.i, pair.shift * -1.0};
   }
-  anchors_ = positions_;
+  places_before_ = positions_;
   times_.assign(n, 0);
   meetings_.assign(n, {});
 }
@@ -196,7 +196,7 @@ void GrowingSpheres<Dim>::consider_walls(std::int32_t i, Meeting& next) const {
 template <int Dim>
 void GrowingSpheres<Dim>::consider_margin(std::int32_t i, Meeting& next) const {
   const auto k = static_cast<std::size_t>(i);
-  const Vec<Dim, double> moved = positions_[k] - anchors_[k];
+  const Vec<Dim, double> moved = positions_[k] - places_before_[k];
   const double a = dot(velocity(i), velocity(i));
   if (!(a > 0)) return;
   const double b = dot(moved, velocity(i));

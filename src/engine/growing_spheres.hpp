@@ -95,7 +95,7 @@ class GrowingSpheres {
   double now_ = 0;   ///< since the start of the round
   double rate_ = 0;  ///< of the growth
   std::vector<double> times_;
-  std::vector<Vec<Dim, double>> anchors_;  ///< places at the start of the round
+  std::vector<Vec<Dim, double>> places_before_;  ///< places at the start of the round
   std::vector<std::size_t> first_neighbour_;
   std::vector<Neighbour> neighbours_;
   std::vector<std::int64_t> changes_;

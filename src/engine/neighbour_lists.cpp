@@ -69,7 +69,7 @@ void NeighbourLists::drop(std::int32_t i, Neighbour neighbour) {
   const std::uint64_t places = places_of(list, count, neighbour.packed(), ~std::uint32_t{0});
   Neighbour* const place =
       places != 0 ? list + std::countr_zero(places) : behind_a_set(list, count, neighbour.packed());
-  if (place == list + count) return;  // only in a state that somebody has made up
+  if (place == list + count) return;  // only in a state that has been made up
   *place = list[count - 1];
   resize(i, count - 1);
 }
@@ -117,11 +117,11 @@ NeighbourLists::Changes NeighbourLists::changes(std::int32_t i, std::span<Neighb
   return list_changes(of(i), now);
 }
 
-void NeighbourLists::fetch(std::int32_t i, std::span<const Neighbour> now,
-                           const Changes& changes) const {
-  const auto fetch_list = [this](Neighbour neighbour) { fetch(neighbour.sphere()); };
-  std::for_each_n(now.begin(), changes.fresh, fetch_list);
-  for_each_gone(of(i), changes.kept, fetch_list);
+void NeighbourLists::prefetch(std::int32_t i, std::span<const Neighbour> now,
+                              const Changes& changes) const {
+  const auto prefetch_list = [this](Neighbour neighbour) { prefetch(neighbour.sphere()); };
+  std::for_each_n(now.begin(), changes.fresh, prefetch_list);
+  for_each_gone(of(i), changes.kept, prefetch_list);
 }
 
 void NeighbourLists::replace(std::int32_t i, std::span<const Neighbour> now,
@@ -138,7 +138,7 @@ void NeighbourLists::turn() {
   for (std::int32_t i = 0; i < spheres_; ++i) {
     Neighbour* const list = entries(i);
     for (std::size_t k = 0; k < count(i); ++k) {
-      list[k] = {list[k].sphere(), list[k].way().after_whole_turn()};
+      list[k] = {list[k].sphere(), list[k].periodic_image().after_whole_turn()};
     }
   }
 }

@@ -6,25 +6,25 @@
 #include <utility>
 #include <vector>
 
-#include "engine/anchor.hpp"
-#include "engine/fetching.hpp"
 #include "engine/huge_page_vector.hpp"
-#include "engine/way.hpp"
+#include "engine/periodic_image.hpp"
+#include "engine/prefetching.hpp"
+#include "engine/reference_position.hpp"
 #include "model/limits.hpp"
 
 namespace zenosphere {
 
-/// A sphere as a neighbour: who, and which way leads there.
+/// A sphere as a neighbour: which one, and in which periodic image.
 class Neighbour {
  public:
-  /// Numbers of spheres have so many bits; the way takes the other eight.
+  /// Numbers of spheres have so many bits; the image takes the other eight.
   static constexpr int sphere_bits = 24;
   static constexpr std::uint32_t sphere_mask = (std::uint32_t{1} << sphere_bits) - 1;
   static_assert(most_spheres <= sphere_mask);
 
   Neighbour() = default;
-  Neighbour(std::int32_t sphere, Way way)
-      : packed_(static_cast<std::uint32_t>(way.code()) << sphere_bits |
+  Neighbour(std::int32_t sphere, PeriodicImage periodic_image)
+      : packed_(static_cast<std::uint32_t>(periodic_image.code()) << sphere_bits |
                 static_cast<std::uint32_t>(sphere)) {}
   static Neighbour from_packed(std::uint32_t packed) {
     Neighbour neighbour;
@@ -34,10 +34,12 @@ class Neighbour {
 
   std::uint32_t packed() const { return packed_; }
   std::int32_t sphere() const { return static_cast<std::int32_t>(packed_ & sphere_mask); }
-  Way way() const { return Way::from_code(static_cast<std::int32_t>(packed_ >> sphere_bits)); }
+  PeriodicImage periodic_image() const {
+    return PeriodicImage::from_code(static_cast<std::int32_t>(packed_ >> sphere_bits));
+  }
 
   /// How sphere i, whose neighbour this is, is seen from here.
-  Neighbour reversed(std::int32_t i) const { return {i, way().reversed()}; }
+  Neighbour reversed(std::int32_t i) const { return {i, periodic_image().reversed()}; }
 
   friend bool operator==(const Neighbour&, const Neighbour&) = default;
 
@@ -45,11 +47,13 @@ class Neighbour {
   std::uint32_t packed_ = 0;
 };
 
-/// Who is near whom: for each sphere those that it can touch before either one is settled anew.
+/// Which spheres are near each other: those that a sphere can touch before the list of either one
+/// is rebuilt.
 ///
-/// If j is on the list of i, then i is on the list of j with the reversed way. The order on a list
-/// means nothing. All lists have the same room; the few that are longer are kept elsewhere. In
-/// front of each stands the anchor of its sphere, because the two are read and renewed together.
+/// If j is on the list of i, then i is on the list of j with the reversed image. The order on a
+/// list means nothing. All lists have the same room; the few that are longer are kept elsewhere. In
+/// front of each stands the reference position of its sphere, because the two are read and renewed
+/// together.
 class NeighbourLists {
  public:
   static constexpr std::size_t most = 65532;      ///< on one list
@@ -58,8 +62,8 @@ class NeighbourLists {
   /// \param mean  length that lists are expected to have
   NeighbourLists(std::int32_t spheres, double mean);
 
-  Anchor& anchor(std::int32_t i) { return head(i).anchor; }
-  const Anchor& anchor(std::int32_t i) const { return head(i).anchor; }
+  ReferencePosition& reference(std::int32_t i) { return head(i).reference; }
+  const ReferencePosition& reference(std::int32_t i) const { return head(i).reference; }
 
   /// The neighbours of i. Up to three more may be read, some that there have been once.
   std::span<const Neighbour> of(std::int32_t i) const { return {entries(i), count(i)}; }
@@ -78,8 +82,9 @@ class NeighbourLists {
   /// \param now  in any order; afterwards those that are new come first
   Changes changes(std::int32_t i, std::span<Neighbour> now) const;
 
-  /// Fetches what replace() will read: all at once, since nobody knew before who comes and goes.
-  void fetch(std::int32_t i, std::span<const Neighbour> now, const Changes& changes) const;
+  /// Prefetches what replace() will read: all at once, since it was not known before which come and
+  /// go.
+  void prefetch(std::int32_t i, std::span<const Neighbour> now, const Changes& changes) const;
 
   /// Gives i the neighbours `now`, and i to them; takes it from those that it had before.
   void replace(std::int32_t i, std::span<const Neighbour> now, const Changes& changes);
@@ -90,15 +95,15 @@ class NeighbourLists {
     add_one_way(neighbour.sphere(), neighbour.reversed(i));
   }
 
-  /// Corrects all ways for layers that have slid by a whole box.
+  /// Corrects all images for layers that have slid by a whole box.
   void turn();
 
-  /// Fetches the list of i, and its anchor.
-  void fetch(std::int32_t i) const { for_each_line(i, fetch_line); }
+  /// Prefetches the list of i, and its reference position.
+  void prefetch(std::int32_t i) const { for_each_line(i, prefetch_line); }
 
  private:
   struct Head {
-    Anchor anchor;
+    ReferencePosition reference;
     std::uint32_t count = 0;
   };
 

@@ -5,14 +5,14 @@
 
 namespace zenosphere {
 
-/// Whom a sphere is going to meet, and when: as foreseen at one moment.
+/// What a sphere is going to meet, and when: as foreseen at one moment.
 template <class Real>
 class Meeting {
  public:
   Real time = std::numeric_limits<Real>::infinity();  ///< remainder of the clock; infinity: none
   std::uint32_t partner_collisions = 0;               ///< those of the partner up to that moment
 
-  /// With nobody.
+  /// None.
   Meeting() = default;
   /// \param overlapping  the two overlap already
   Meeting(const Real& when, std::int32_t partner, std::uint32_t collisions_of_partner,
@@ -21,12 +21,12 @@ class Meeting {
         partner_collisions(collisions_of_partner),
         who_(static_cast<std::uint32_t>(partner + 1) | (overlapping ? overlap_bit : 0)) {}
 
-  /// A sphere, or a wall; -1: nobody.
+  /// A sphere, or a wall; -1: none.
   std::int32_t partner() const { return static_cast<std::int32_t>(who_ & partner_bits) - 1; }
-  bool is_with_anybody() const { return partner() >= 0; }
+  bool has_partner() const { return partner() >= 0; }
   bool is_overlap() const { return (who_ & overlap_bit) != 0; }
 
-  /// Whether nobody is met after it.
+  /// Whether no other is met after it.
   bool is_last() const { return (who_ & last_bit) != 0; }
   void set_last(bool last) { who_ = last ? who_ | last_bit : who_ & ~last_bit; }
 
@@ -48,15 +48,15 @@ class Meeting {
   std::uint32_t who_ = 0;  ///< the partner + 1, and two bits
 };
 
-/// The first two meetings of a sphere. When the partner of the first has met somebody else, the
+/// The first two meetings of a sphere. When the partner of the first has met another one, the
 /// second takes its place, which spares most predictions.
 template <class Real>
 class NextMeetings {
  public:
-  /// Nobody is met.
+  /// None is met.
   NextMeetings() { second_.set_last(true); }
 
-  /// \param is_all  there is no third meeting, and no second if that is with nobody
+  /// \param is_all  there is no third meeting, and no second if that is none
   NextMeetings(const Meeting<Real>& first, const Meeting<Real>& second, bool is_all) {
     set(first, second, is_all);
   }
@@ -73,7 +73,7 @@ class NextMeetings {
   /// Adds a meeting, if it is among the first two. Where the second is not known, what comes after
   /// the first need not be the second.
   void add(const Meeting<Real>& meeting) {
-    const bool has_second = second_.is_with_anybody();
+    const bool has_second = second_.has_partner();
     const bool was_all = is_all();
     if (meeting.is_before(first_)) {
       second_ = first_;
@@ -86,8 +86,8 @@ class NextMeetings {
 
   /// Adds meetings of which the first two are known, or all.
   void add(const NextMeetings& others) {
-    if (others.first_.is_with_anybody()) add(others.first_);
-    if (others.second_.is_with_anybody()) add(others.second_);
+    if (others.first_.has_partner()) add(others.first_);
+    if (others.second_.has_partner()) add(others.second_);
     if (!others.is_all()) second_.set_last(false);
   }
 
@@ -99,7 +99,7 @@ class NextMeetings {
     second_.set_last(was_all);
   }
 
-  void set_back(const Real& span) {
+  void shift_times(const Real& span) {
     first_.time -= span;
     second_.time -= span;
   }

@@ -102,7 +102,7 @@ NextMeetings<Real> Predictor<Dim, Real>::first_ahead(const System<Dim, Real>& sy
 }
 
 /// Takes contacts with immobile or very heavy spheres that seem to overlap out of those ahead,
-/// where the partner has foretold them since.
+/// where the partner has predicted them since.
 ///
 /// What hits such a partner makes a meeting stale, but does not move it: looked for again, at the
 /// moment of the contact itself, it would be found in the past by rounding as often as not.
@@ -122,7 +122,7 @@ NextMeetings<Real> Predictor<Dim, Real>::with_heavy_partners(const System<Dim, R
   return known;
 }
 
-/// Deals with pairs that overlap by rounding while they approach. Walls let nobody pass.
+/// Deals with pairs that overlap by rounding while they approach. Walls let none pass.
 template <int Dim, class Real>
 void Predictor<Dim, Real>::apply_overlap_rule(const System<Dim, Real>& system) {
   if (overlap_ == OverlapRule::rewind) return limit_rewinds(system);
@@ -159,7 +159,7 @@ bool Predictor<Dim, Real>::is_stale(const Meeting<Real>& meeting,
 template <int Dim, class Real>
 bool Predictor<Dim, Real>::is_second_known(const NextMeetings<Real>& next,
                                            const System<Dim, Real>& system) const {
-  return next.second().is_with_anybody() ? !is_stale(next.second(), system) : next.is_all();
+  return next.second().has_partner() ? !is_stale(next.second(), system) : next.is_all();
 }
 
 template <int Dim, class Real>
@@ -173,16 +173,16 @@ void Predictor<Dim, Real>::replace_stale(System<Dim, Real>& system, std::int32_t
 
 template <int Dim, class Real>
 void Predictor<Dim, Real>::shift_times(const Real& span) {
-  rewind_bound_.set_back(span);
-  for (NextMeetings<Real>& next : meetings_) next.set_back(span);
-  calendar_.set_back(span);
+  rewind_bound_.shift_times(span);
+  for (NextMeetings<Real>& next : meetings_) next.shift_times(span);
+  calendar_.shift_times(span);
 }
 
 template <int Dim, class Real>
 void Predictor<Dim, Real>::schedule(const System<Dim, Real>& system, std::int32_t i) {
   const Real& meeting = pending(i).first().time;
   calendar_.schedule(
-      i, std::min(meeting, system.spheres.unsettled_at(i, system.clock.remainder(), meeting)));
+      i, std::min(meeting, system.spheres.rebuild_time(i, system.clock.remainder(), meeting)));
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Predictor<Dim, Real>;

@@ -22,7 +22,7 @@ NextMeetings<Real> Predictor<Dim, Real>::with_walls(const System<Dim, Real>& sys
   NextMeetings<Real> next = first_ahead(system, i);
   if (!system.surroundings.walls->oscillation) return next;
   const Meeting<Real> meeting = with_oscillating_wall(system, i);
-  if (meeting.is_with_anybody()) next.add(meeting);
+  if (meeting.has_partner()) next.add(meeting);
   return next;
 }
 

@@ -33,16 +33,16 @@ struct Prefetcher<Dim, Real>::Ahead {
 
   /// What is kept of a sphere.
   void own(std::int32_t i) const {
-    system.spheres.fetch(i);
-    fetch_line(&predictor.meetings(i));
-    predictor.calendar().fetch(i);
+    system.spheres.prefetch(i);
+    prefetch_line(&predictor.meetings(i));
+    predictor.calendar().prefetch(i);
   }
 
   /// The cells around a sphere whose list will be rebuilt, or the partner that it meets.
   void around(const Event& event) const {
     const Meeting<Real>& first = predictor.meetings(event.id).first();
     if (event.time < first.time) {
-      system.spheres.fetch_cells(event.id, event.time);
+      system.spheres.prefetch_cells(event.id, event.time);
     } else {
       partner(first);
     }
@@ -68,11 +68,11 @@ struct Prefetcher<Dim, Real>::Ahead {
 
  private:
   void partner(const Meeting<Real>& meeting) const {
-    if (meeting.is_with_anybody() && !system.wall(meeting.partner())) own(meeting.partner());
+    if (meeting.has_partner() && !system.wall(meeting.partner())) own(meeting.partner());
   }
   void neighbours(std::int32_t i) const {
-    system.spheres.fetch_neighbours(i);
-    if (observed) fetch_line(observed + static_cast<std::size_t>(i) * observed_bytes);
+    system.spheres.prefetch_neighbours(i);
+    if (observed) prefetch_line(observed + static_cast<std::size_t>(i) * observed_bytes);
   }
 };
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/fetching.hpp"
 #include "engine/predictor.hpp"
+#include "engine/prefetching.hpp"
 #include "engine/system.hpp"
 
 namespace zenosphere {

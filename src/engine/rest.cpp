@@ -38,12 +38,12 @@ bool may_meet(const System<Dim, Real>& system, std::int32_t i, std::int32_t j) {
 template <int Dim, class Real>
 ShearedFlight<Dim> flight_between(const Configuration<Dim, Real>& state, std::size_t i,
                                   std::size_t j, const ShearBox<Dim, Real>& box) {
-  const Vec<Dim, Real> way = state.positions[j] - state.positions[i];
+  const Vec<Dim, Real> displacement = state.positions[j] - state.positions[i];
   Vec<Dim, Real> velocity = state.velocities[j] - state.velocities[i];  // peculiar
-  velocity[0] += box.shear_rate() * way[1];
+  velocity[0] += box.shear_rate() * displacement[1];
   ShearedFlight<Dim> flight{};
   for (int axis = 0; axis < Dim; ++axis) {
-    flight.way[axis] = static_cast<double>(way[axis]);
+    flight.displacement[axis] = static_cast<double>(displacement[axis]);
     flight.velocity[axis] = static_cast<double>(velocity[axis]);
     flight.sides[static_cast<std::size_t>(axis)] = static_cast<double>(box.sides()[axis]);
   }
@@ -126,14 +126,14 @@ Real certainly_apart(const System<Dim, Real>& system, const Real& most, const Re
   }
   for (std::int32_t i = 0; i < system.count(); ++i) {
     for (std::int32_t j = 0; j < i && apart > least; ++j) {
-      const Vec<Dim, Real> way =
+      const Vec<Dim, Real> displacement =
           system.spheres.position_at(system.spheres[j], system.clock.remainder()) -
           system.spheres.position_at(system.spheres[i], system.clock.remainder());
       const Vec<Dim, Real> velocity =
           system.spheres.velocity_at(system.spheres[j], system.clock.remainder()) -
           system.spheres.velocity_at(system.spheres[i], system.clock.remainder());
       for (int axis = 0; axis < Dim; ++axis) {
-        flight.way[axis] = static_cast<double>(way[axis]);
+        flight.displacement[axis] = static_cast<double>(displacement[axis]);
         flight.velocity[axis] = static_cast<double>(Real(velocity[axis] / fastest));
       }
       const auto until = static_cast<double>(Real(apart * fastest));

@@ -28,7 +28,8 @@ class RewindBound {
     using std::abs;
     Real longest_side = 0;
     for (int axis = 0; axis < Dim; ++axis) longest_side = std::max(longest_side, box.sides()[axis]);
-    way_ = longest_way_back(longest_side, std::numeric_limits<Real>::epsilon(), largest_diameter);
+    distance_ =
+        longest_way_back(longest_side, std::numeric_limits<Real>::epsilon(), largest_diameter);
     Real pull = 0;  // at most sqrt(3) times the size of the acceleration, and no square of it
     for (int axis = 0; axis < Dim; ++axis) pull += abs(acceleration[axis]);
     const Real slide = box.slide_speed() / 2;
@@ -62,15 +63,15 @@ class RewindBound {
     if (!(square > 0)) return;
     const Real size = sqrt(square);
     largest_change_ = std::max(largest_change_, size);
-    earliest_ = std::max(earliest_, Real(when - way_ / size));
+    earliest_ = std::max(earliest_, Real(when - distance_ / size));
   }
 
   /// The closing speed that the rounding of velocities can have made: below it an overlap does not
   /// tell when the two have met.
   Real slowest() const { return 64 * std::numeric_limits<Real>::epsilon() * largest_change_; }
 
-  /// Sets the clock back by `span`.
-  void set_back(const Real& span) { earliest_ -= span; }
+  /// Shifts its times by `span`.
+  void shift_times(const Real& span) { earliest_ -= span; }
 
   /// The longest step back at `now`, in the unit of the velocities: at least 0.
   Real longest(const Real& now) const { return std::min(longest(), Real(now - earliest_)); }
@@ -84,7 +85,7 @@ class RewindBound {
   /// The same at any moment since the collision before the last.
   Real longest_lately() const { return duration_at(std::min(fastest_, before_)); }
 
-  /// \throws ArchiveError where nobody can be that fast
+  /// \throws ArchiveError where no sphere can be that fast
   template <class Self, class Archive>
   static void archive_state(Self& self, Archive& archive) {
     archive(self.fastest_, self.before_, self.next_look_, self.earliest_, self.largest_change_);
@@ -96,10 +97,12 @@ class RewindBound {
   }
 
  private:
-  /// Where nothing moves, nobody overlaps while approaching.
-  Real duration_at(const Real& speed) const { return speed > 0 ? Real(way_ / speed) : Real(0); }
+  /// Where nothing moves, no two overlap while approaching.
+  Real duration_at(const Real& speed) const {
+    return speed > 0 ? Real(distance_ / speed) : Real(0);
+  }
 
-  Real way_;  ///< diameters
+  Real distance_;  ///< diameters
   Real
       least_square_;  ///< of the speeds after a fall through the box, and of half a slide of layers
   Real fastest_ = 0;

@@ -39,7 +39,7 @@ template <int Dim, class Real>
 NextCollision<Dim, Real> Simulation<Dim, Real>::collision_until(double until) {
   if (stopped_before_) return NoCollision::overlap;
   Instant<Real> limit = clock().instant(until);
-  // Without collisions the caller is asked again about once per sphere that is settled.
+  // Without collisions the caller is asked again about once per list that is rebuilt.
   for (std::int32_t patience = 2 * spheres() + 1024; patience > 0; --patience) {
     const std::int32_t i = predictor_.calendar().earliest();
     prefetcher_.look_ahead(system_, predictor_);
@@ -57,7 +57,7 @@ NextCollision<Dim, Real> Simulation<Dim, Real>::collision_until(double until) {
     }
     const Meeting<Real>& meeting = predictor_.meetings(i).first();
     if (next < meeting.time) {
-      settle(i);
+      rebuild_list(i);
     } else if (predictor_.is_stale(meeting, system_)) {
       replace_stale(i);
     } else if (meeting.is_overlap() && rules_.overlap == OverlapRule::stop && clock().has_begun()) {
@@ -72,7 +72,7 @@ NextCollision<Dim, Real> Simulation<Dim, Real>::collision_until(double until) {
 /// Whether an event at the clock's remainder `next` comes after `limit`.
 ///
 /// Without shear the clock leaps over whole units to the next event, never just to the limit: where
-/// it is set back in two steps instead of one, rounding leaves a trace.
+/// times are shifted in two steps instead of one, rounding leaves a trace.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::is_past(const Instant<Real>& limit, const Real& next) const {
   const double left = limit.units - now().units;
@@ -196,21 +196,22 @@ Real Simulation<Dim, Real>::gap_at_last_change(std::int32_t i, std::int32_t j, N
   return system_.gap_to_close(i, j, neighbour, clock().remainder_at(last_change_), contact);
 }
 
-/// Settles a sphere again; one that is late by rounding at once.
+/// Rebuilds the list of a sphere; where that is late by rounding, now.
 template <int Dim, class Real>
-void Simulation<Dim, Real>::settle(std::int32_t i) {
-  ++settlings_;
+void Simulation<Dim, Real>::rebuild_list(std::int32_t i) {
+  ++rebuilds_;
   system_.clock.advance_to(predictor_.calendar().time(i));
   ++idle_events_;
   if (is_idle() && system_.spheres.is_far_out(i, clock().remainder())) {
     come_home();
-    leap();  // nobody has come near: at once, if nobody is near now
+    leap();  // none has come near: at once, if none is near now
   } else {
     const Real& meeting = predictor_.meetings(i).first().time;
-    predictor_.add_meetings(system_, i, system_.spheres.settle(i, clock().remainder(), meeting));
+    predictor_.add_meetings(system_, i,
+                            system_.spheres.rebuild_list(i, clock().remainder(), meeting));
   }
   if (system_.spheres.is_crowded()) [[unlikely]] {
-    system_.spheres.settle_in_crowd(clock().remainder());
+    system_.spheres.rebuild_in_crowd(clock().remainder());
     predictor_.predict_all(system_);
   }
   if (is_idle()) look_around();

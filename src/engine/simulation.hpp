@@ -21,9 +21,9 @@ namespace zenosphere {
 /// Event-driven dynamics of inelastic hard spheres.
 ///
 /// Every sphere has one pending event: its first meeting, with a sphere or a wall, or the moment at
-/// which it has to be settled again (see Spheres). A pair is looked after by the sphere that was
-/// predicted later; a meeting whose partner has collided since is stale, and the second meeting of
-/// the sphere takes its place, or a new prediction (see NextMeetings).
+/// which its neighbour list has to be rebuilt (see Spheres). A pair is looked after by the sphere
+/// that was predicted later; a meeting whose partner has collided since is stale, and the second
+/// meeting of the sphere takes its place, or a new prediction (see NextMeetings).
 ///
 /// Source: Rapaport, The Art of Molecular Dynamics Simulation (2004), ch. 14; one event per
 /// sphere: Lubachevsky, J. Comput. Phys. 94 (1991) 255.
@@ -76,12 +76,12 @@ class Simulation {
   /// \param changes  one for each sphere, diameters/time; immobile ones get none
   void kick(const std::vector<Vector>& changes);
 
-  /// Has what an observer keeps of each sphere, in a row from `first` on, fetched ahead of the
+  /// Has what an observer keeps of each sphere, in a row from `first` on, prefetched ahead of the
   /// collisions like what the engine needs itself. Only the speed depends on it: nothing there is
   /// read, and it may be gone.
   ///
   /// \param bytes  that it keeps of one sphere
-  void fetch_too(const void* first, std::size_t bytes) { prefetcher_.include(first, bytes); }
+  void prefetch_too(const void* first, std::size_t bytes) { prefetcher_.include(first, bytes); }
 
   /// Predicts all events anew from where the spheres are: in a state promoted to more digits.
   void predict_anew() {
@@ -104,11 +104,11 @@ class Simulation {
   /// The pair before whose collision OverlapRule::stop has ended the run, if it has.
   const std::optional<NextPair>& stopped_before() const { return stopped_before_; }
 
-  /// Nothing moves any more, or what moves meets nobody: there will be no further collision unless
+  /// Nothing moves any more, or what moves never meets: there will be no further collision unless
   /// by a kick.
   bool is_at_rest() const { return at_rest_; }
 
-  /// Events since the last collision or kick, spheres that have only been settled: those that are
+  /// Events since the last collision or kick, lists that have only been rebuilt: those that are
   /// certain to come, too, where they are more than most_idle_events().
   std::int64_t idle_events() const { return idle_events_; }
   /// Whether these are so many that it is looked at what is ahead: of usual systems never.
@@ -121,7 +121,7 @@ class Simulation {
 
   std::int32_t spheres() const { return system_.count(); }
   const Grains<Real>& grains() const { return system_.grains(); }
-  /// Angular velocities now, radians/time: of each sphere, or of none where nobody turns.
+  /// Angular velocities now, radians/time: of each sphere, or of none where they do not turn.
   const std::vector<Spin<Dim, Real>>& spins() const { return system_.spheres.spins(); }
   /// Of a sphere about its centre, mass diameter^2.
   Real moment_of_inertia(std::int32_t sphere) const {
@@ -157,7 +157,7 @@ class Simulation {
   const Real& earliest_rewind() const { return predictor_.rewind_bound().earliest(); }
   /// Whether neighbours are looked for cell by cell, without lists: in dilute systems.
   bool looks_by_cells() const { return system_.spheres.looks_by_cells(); }
-  std::int64_t settlings() const { return settlings_; }
+  std::int64_t rebuilds() const { return rebuilds_; }
   std::int64_t stale_events() const { return stale_events_; }
 
   /// What has been counted where collisions need more than a constant restitution.
@@ -200,11 +200,11 @@ class Simulation {
                           const Real& contact) const;
   NoCollision stop_before(std::int32_t i, const Meeting<Real>& meeting);
 
-  void settle(std::int32_t i);
+  void rebuild_list(std::int32_t i);
   void replace_stale(std::int32_t i);
   bool is_past(const Instant<Real>& limit, const Real& next) const;
   void rebase(const Real& next_event, const Instant<Real>& limit);
-  void set_back(double units);
+  void shift_times(double units);
   bool widen_stride(const Real& leap);
   bool lengthen_stride(double stride);
   void shorten_stride();
@@ -225,7 +225,7 @@ class Simulation {
   template <class Self, class ClockState, class Archive>
   static void archive_course(Self& self, ClockState& clock, Archive& archive) {
     archive(clock.now, self.last_collision_, self.last_change_, self.system_.collisions,
-            self.settlings_, self.stale_events_, self.predictor_.overlaps_ignored(),
+            self.rebuilds_, self.stale_events_, self.predictor_.overlaps_ignored(),
             self.stopped_before_, self.at_rest_, self.predictor_.rewind_bound(), clock.stride,
             self.idle_events_, self.system_.frame);
   }
@@ -237,7 +237,7 @@ class Simulation {
   Prefetcher<Dim, Real> prefetcher_;
   Instant<Real> last_collision_;
   Instant<Real> last_change_;  ///< of velocities: the last collision or kick
-  std::int64_t settlings_ = 0;
+  std::int64_t rebuilds_ = 0;
   std::int64_t stale_events_ = 0;
   std::int64_t idle_events_ = 0;
   std::optional<NextPair> stopped_before_;

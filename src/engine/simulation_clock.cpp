@@ -1,4 +1,4 @@
-// The clock of a simulation: how it is set back, and in which strides it counts.
+// The clock of a simulation: how times are shifted, and in which strides it counts.
 
 #include <algorithm>
 #include <cmath>
@@ -9,22 +9,22 @@
 
 namespace zenosphere {
 
-/// Sets the clock and all times back by whole strides, or gives it longer strides; under shear by
+/// Shifts the clock and all times by whole strides, or gives it longer strides; under shear by
 /// one unit, and the layers slide by a cell.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::rebase(const Real& next_event, const Instant<Real>& limit) {
-  if (box().is_sheared()) return set_back(1);
+  if (box().is_sheared()) return shift_times(1);
   if (widen_stride(next_event)) return;
   // Nothing happens until the next event: go there at once.
   const double left = limit.units - now().units;
   const Real whole = clock().units_to(next_event);
-  set_back(whole < static_cast<Real>(left) ? static_cast<double>(whole) : left);
+  shift_times(whole < static_cast<Real>(left) ? static_cast<double>(whole) : left);
 }
 
 template <int Dim, class Real>
-void Simulation<Dim, Real>::set_back(double units) {
+void Simulation<Dim, Real>::shift_times(double units) {
   const Real span = system_.clock.shift(units);
-  system_.spheres.set_back(span);
+  system_.spheres.shift_times(span);
   predictor_.shift_times(span);
   if (!system_.spheres.slide_near()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) {
@@ -32,7 +32,7 @@ void Simulation<Dim, Real>::set_back(double units) {
   }
 }
 
-/// Lengthens the strides of a clock without shear where it would have to be set back for nearly
+/// Lengthens the strides of a clock without shear where times would have to be shifted for nearly
 /// every event, or where the counter would lose units. Returns whether it has.
 ///
 /// A stride is then as long as the fastest sphere takes for a diameter, or half as long: as in a
@@ -41,7 +41,7 @@ void Simulation<Dim, Real>::set_back(double units) {
 /// \param leap  time until the next event
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::widen_stride(const Real& leap) {
-  constexpr double worth_it = 65536;  // spheres that are set back, for one event
+  constexpr double worth_it = 65536;  // spheres whose times are shifted, for one event
   const Real units = leap / box().clock_unit();
   double stride = least_stride(now().units + static_cast<double>(units));
   if (only_cools() && units * spheres() >= Real(worth_it) * Real(clock().stride())) {
@@ -73,7 +73,7 @@ bool Simulation<Dim, Real>::lengthen_stride(double stride) {
   const double odd = std::fmod(now().units, stride);
   const Real remainder = clock().remainder();
   if (odd > 0) {
-    set_back(-odd);
+    shift_times(-odd);
     system_.clock.set_to(remainder + Real(odd) * clock().unit());
   }
   return true;
@@ -88,7 +88,7 @@ void Simulation<Dim, Real>::shorten_stride() {
   system_.clock.use_stride(least);
   if (clock().remainder() >= clock().span()) {
     const Real strides = floor(static_cast<Real>(clock().remainder() / clock().span()));
-    set_back(static_cast<double>(strides) * least);
+    shift_times(static_cast<double>(strides) * least);
   }
 }
 
@@ -97,7 +97,7 @@ void Simulation<Dim, Real>::wait_until(double time) {
   Instant<Real> wanted = clock().instant(time);
   if (!box().is_sheared() && wanted.units > now().units) {
     if (lengthen_stride(least_stride(wanted.units))) wanted = clock().instant(time);
-    if (wanted.units > now().units) set_back(wanted.units - now().units);
+    if (wanted.units > now().units) shift_times(wanted.units - now().units);
   }
   if (now().units == wanted.units) system_.clock.advance_to(wanted.remainder);
 }

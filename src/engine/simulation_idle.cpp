@@ -35,7 +35,7 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   predictor_.predict_all(system_);
 }
 
-/// Looks what is ahead of spheres that have long met nobody: at times that make it cost little.
+/// Looks what is ahead of spheres that have long met no other: at times that make it cost little.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::look_around() {
   const auto events = static_cast<std::uint64_t>(idle_events_);
@@ -50,8 +50,8 @@ void Simulation<Dim, Real>::look_around() {
   if (are_few && events % between == 0 && !at_rest_ && !box().is_sheared()) leap();
 }
 
-/// Notes whether nobody ever meets, and otherwise lets the frame drift with the spheres where that
-/// makes them slow, so that they need not be settled so often.
+/// Notes whether no two ever meet, and otherwise lets the frame drift with the spheres where that
+/// makes them slow, so that their lists need not be rebuilt so often.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::look_for_rest() {
   const bool is_pushed = surroundings().walls && surroundings().walls->oscillation;
@@ -68,7 +68,7 @@ void Simulation<Dim, Real>::look_for_rest() {
   if (2 * fastest_beside(system_, mean) <= fastest_beside(system_, Vector{})) move_frame(mean);
 }
 
-/// Whether it is certain, under shear, that nobody meets before as many events have come as a run
+/// Whether it is certain, under shear, that no two meet before as many events have come as a run
 /// waits for.
 template <int Dim, class Real>
 bool Simulation<Dim, Real>::waits_in_vain() const {
@@ -92,12 +92,12 @@ void Simulation<Dim, Real>::move_frame(const Vector& change) {
   predictor_.predict_all(system_);
 }
 
-/// Lets nobody be settled again until shortly before two spheres can meet, or one a wall, where
+/// Has no list rebuilt until shortly before two spheres can meet, or one a wall, where
 /// that is so far off that it is worth it.
 ///
 /// The clock stays where it is: only what is due next is put off, so that a run that stops or is
 /// kicked before goes on from the same state. The fastest sphere is first then, and by far outside
-/// of its ball: so settle() knows that all have to come home.
+/// of its ball: so rebuild_list() knows that all have to come home.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::leap() {
   constexpr int balls_each = 16;  // that are crossed, at least
@@ -106,8 +106,7 @@ void Simulation<Dim, Real>::leap() {
   if (system_.spheres.some_are_held()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Meeting<Real>& first = predictor_.meetings(i).first();
-    if (first.is_with_anybody() && predictor_.is_stale(first, system_))
-      predictor_.predict(system_, i);
+    if (first.has_partner() && predictor_.is_stale(first, system_)) predictor_.predict(system_, i);
   }
   const std::int32_t leader = system_.fastest();
   const Real least = balls_each * Real(system_.spheres.reach()) / system_.speed(leader);
@@ -125,14 +124,14 @@ void Simulation<Dim, Real>::leap() {
   }
 }
 
-/// Settles all spheres, which may be anywhere, and finds whom they meet; where nobody has met
-/// anybody for so short a time that all are at home, nothing.
+/// Rebuilds the lists of all spheres, which may be anywhere, and finds their next meetings; where
+/// none has met another for so short a time that all are at home, nothing.
 template <int Dim, class Real>
 void Simulation<Dim, Real>::come_home() {
   if (!is_idle() || box().is_sheared()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) system_.spheres.bring_back(i, clock().remainder());
   for (std::int32_t i = 0; i < spheres(); ++i) {
-    system_.spheres.settle_anew(i, clock().remainder());
+    system_.spheres.place_anew(i, clock().remainder());
   }
   for (std::int32_t i = 0; i < spheres(); ++i) {
     // Not stored anew where that is not needed: it is rounded.

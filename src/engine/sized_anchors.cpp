@@ -30,7 +30,7 @@ int floor_of_quotient(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b)
 /// \param volume  for each of them, diameters^dimension
 int parts_for(double width, double volume, int dimension) {
   constexpr double spheres_a_part = 3.5;
-  constexpr int most = AnchorCells::grains_a_cell / 8;
+  constexpr int most = ReferenceCells::grains_a_cell / 8;
   const double wanted = std::pow(spheres_a_part * volume, 1.0 / dimension);
   return static_cast<int>(std::clamp(std::round(width / wanted), 1.0, double{most}));
 }
@@ -70,7 +70,7 @@ typename SizedAnchors<Dim>::Class SizedAnchors<Dim>::class_of(const SlidingCells
     sizes.parts[axis] = parts_for(grains * grid_.grain, volume, Dim);
     sizes.scale[axis] = static_cast<double>(sizes.parts[axis]) / grains;
   }
-  sizes.cells = AnchorCells(cells.count() * sizes.parts_of_a_cell());
+  sizes.cells = ReferenceCells(cells.count() * sizes.parts_of_a_cell());
   return sizes;
 }
 
@@ -91,12 +91,13 @@ int SizedAnchors<Dim>::Class::parts_of_a_cell() const {
   return product;
 }
 
-/// The part of a cell in which an anchor is.
+/// The part of a cell in which a reference position is.
 template <int Dim>
-std::int32_t SizedAnchors<Dim>::Class::part_of(std::int32_t cell, const Anchor& anchor) const {
+std::int32_t SizedAnchors<Dim>::Class::part_of(std::int32_t cell,
+                                               const ReferencePosition& reference) const {
   int part = 0;
   for (std::size_t axis = Dim; axis-- > 0;) {
-    part = part * parts[axis] + part_along(axis, anchor.place[axis]);
+    part = part * parts[axis] + part_along(axis, reference.place[axis]);
   }
   return cell * parts_of_a_cell() + part;
 }
@@ -116,15 +117,17 @@ std::int32_t SizedAnchors<Dim>::label(std::int32_t sphere) const {
 }
 
 template <int Dim>
-void SizedAnchors<Dim>::insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor) {
+void SizedAnchors<Dim>::insert(std::int32_t sphere, std::int32_t cell,
+                               const ReferencePosition& reference) {
   Class& sizes = classes_[size(sphere).number];
-  sizes.cells.insert(label(sphere), sizes.part_of(cell, anchor), anchor);
+  sizes.cells.insert(label(sphere), sizes.part_of(cell, reference), reference);
 }
 
 template <int Dim>
-void SizedAnchors<Dim>::remove(std::int32_t sphere, std::int32_t cell, const Anchor& anchor) {
+void SizedAnchors<Dim>::remove(std::int32_t sphere, std::int32_t cell,
+                               const ReferencePosition& reference) {
   Class& sizes = classes_[size(sphere).number];
-  sizes.cells.remove(label(sphere), sizes.part_of(cell, anchor));
+  sizes.cells.remove(label(sphere), sizes.part_of(cell, reference));
 }
 
 template <int Dim>
@@ -133,13 +136,13 @@ std::span<Neighbour> SizedAnchors<Dim>::find(const SlidingCells<Dim>& cells, con
   std::size_t found = 0;
   for (const Class& sizes : classes_) {
     find_rows(cells, viewer, sizes);
-    std::size_t most = found + AnchorCells::slack;
+    std::size_t most = found + ReferenceCells::slack;
     for (const Row& row : rows_) {
       most += static_cast<std::size_t>(row.last - row.first + 1) * sizes.cells.room();
     }
     if (nearby.size() < most) nearby.resize(most);
-    const AnchorCells::SizedRange range{radius(viewer.sphere) + sizes.least + viewer.beyond,
-                                        sizes.shift, sizes.row_step(grid_.cell_grains[0])};
+    const ReferenceCells::SizedRange range{radius(viewer.sphere) + sizes.least + viewer.beyond,
+                                           sizes.shift, sizes.row_step(grid_.cell_grains[0])};
     const Neighbour* const end = sizes.cells.find(rows_, range, nearby.data() + found);
     found = static_cast<std::size_t>(end - nearby.data());
   }
@@ -147,12 +150,12 @@ std::span<Neighbour> SizedAnchors<Dim>::find(const SlidingCells<Dim>& cells, con
 }
 
 template <int Dim>
-void SizedAnchors<Dim>::fetch(const SlidingCells<Dim>& cells, const Viewer& viewer) const {
+void SizedAnchors<Dim>::prefetch(const SlidingCells<Dim>& cells, const Viewer& viewer) const {
   constexpr std::int32_t most_in_cache = 1024;
   for (const Class& sizes : classes_) {
     if (sizes.parts_of_a_cell() * cells.count() <= most_in_cache) continue;
     find_rows(cells, viewer, sizes);
-    for (const Row& row : rows_) sizes.cells.fetch(row.first, row.last);
+    for (const Row& row : rows_) sizes.cells.prefetch(row.first, row.last);
   }
 }
 
@@ -181,9 +184,10 @@ void SizedAnchors<Dim>::find_rows(const SlidingCells<Dim>& cells, const Viewer& 
   if constexpr (Dim > 1) near.first_layer = below(1), near.last_layer = above(1);
   if constexpr (Dim > 2) near.first_row = below(2), near.last_row = above(2);
   rows_.clear();
-  const auto add = [&](std::int32_t first, std::int32_t last, Way way, const Steps<Dim>& steps) {
+  const auto add = [&](std::int32_t first, std::int32_t last, PeriodicImage periodic_image,
+                       const Steps<Dim>& steps) {
     const int layers = SlidingCells<Dim>::layers(steps);
-    Row row{first, last, way, viewer.place,
+    Row row{first, last, periodic_image, viewer.place,
             static_cast<std::int16_t>(layers != 0 ? viewer.slide : 0)};
     row.place[0] -= static_cast<std::int16_t>(viewer.slid[static_cast<std::size_t>(layers + 1)]);
     for (std::size_t axis = 0; axis < Dim; ++axis) {

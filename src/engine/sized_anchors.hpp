@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/anchor.hpp"
-#include "engine/anchor_cells.hpp"
+#include "engine/reference_cells.hpp"
+#include "engine/reference_position.hpp"
 #include "engine/sliding_cells.hpp"
 
 namespace zenosphere {
 
-/// The cells of a box, as a search for anchors sees them.
+/// The cells of a box, as a search for reference positions sees them.
 template <int Dim>
 struct AnchorGrid {
   std::array<int, Dim> cell_grains{};  ///< sides of a cell, rounded
@@ -20,7 +20,7 @@ struct AnchorGrid {
   bool is_closed_along_x = false;
 };
 
-/// The anchors of spheres that differ in size: in one grid for each class of sizes.
+/// The reference positions of spheres that differ in size: in one grid for each class of sizes.
 ///
 /// The cells in which spheres are at home have room for the largest. In the grid of a class each of
 /// them is divided into smaller ones, as many as suit the number of spheres in the class. So the
@@ -37,18 +37,19 @@ class SizedAnchors {
                std::span<const double> radii);
 
   /// \param cell  in which the sphere is at home
-  void insert(std::int32_t sphere, std::int32_t cell, const Anchor& anchor);
-  /// \param anchor  as it was inserted
-  void remove(std::int32_t sphere, std::int32_t cell, const Anchor& anchor);
+  void insert(std::int32_t sphere, std::int32_t cell, const ReferencePosition& reference);
+  /// \param reference position  as it was inserted
+  void remove(std::int32_t sphere, std::int32_t cell, const ReferencePosition& reference);
 
   /// A sphere that looks around.
   struct Viewer {
     std::int32_t sphere;
-    Steps<Dim> home;          ///< its cell
-    Anchor::Place place;      ///< of its anchor, from the lower corner of the cell, grains
+    Steps<Dim> home;  ///< its cell
+    ReferencePosition::Place
+        place;  ///< of its reference position, from the lower corner of the cell, grains
     std::array<int, 3> slid;  ///< layers below, beside and above along x, grains
     int slide;                ///< and how far adjacent ones slide either way of that
-    int beyond;               ///< distance of surfaces up to which anchors count, grains
+    int beyond;  ///< distance of surfaces up to which reference positions count, grains
   };
 
   /// Those around whose surfaces come near while adjacent layers slide, the viewer not among them.
@@ -58,20 +59,20 @@ class SizedAnchors {
   std::span<Neighbour> find(const SlidingCells<Dim>& cells, const Viewer& viewer,
                             std::vector<Neighbour>& nearby) const;
 
-  /// Fetches what find() will read.
-  void fetch(const SlidingCells<Dim>& cells, const Viewer& viewer) const;
+  /// Prefetches what find() will read.
+  void prefetch(const SlidingCells<Dim>& cells, const Viewer& viewer) const;
 
  private:
-  using Row = AnchorCells::Row;
+  using Row = ReferenceCells::Row;
 
-  /// Spheres of similar size, and the parts of cells in which their anchors are.
+  /// Spheres of similar size, and the parts of cells in which their reference positions are.
   struct Class {
     int least = 0;                    ///< radius, grains
     int most = 0;                     ///< the same, rounded up as codes of size tell
     int shift = 0;                    ///< a code of size counts 2^shift grains of radius
     std::array<int, Dim> parts{};     ///< of a cell along each axis
     std::array<double, Dim> scale{};  ///< parts a grain
-    AnchorCells cells{0};
+    ReferenceCells cells{0};
 
     int parts_of_a_cell() const;
     bool is_undivided() const { return parts_of_a_cell() == 1; }
@@ -84,7 +85,7 @@ class SizedAnchors {
       const int part = place > 0 ? static_cast<int>(place * scale[axis]) : 0;
       return part < parts[axis] ? part : parts[axis] - 1;
     }
-    std::int32_t part_of(std::int32_t cell, const Anchor& anchor) const;
+    std::int32_t part_of(std::int32_t cell, const ReferencePosition& reference) const;
   };
   struct Size {
     std::uint8_t number;  ///< of its class

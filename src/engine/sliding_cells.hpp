@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/way.hpp"
+#include "engine/periodic_image.hpp"
 #include "model/shear_box.hpp"
 
 namespace zenosphere {
@@ -67,9 +67,10 @@ class SlidingCells {
   /// Steps along the gradient direction: how many layers up.
   static int layers(const Steps<Dim>& steps) { return Dim > 1 ? steps[Dim > 1 ? 1 : 0] : 0; }
 
-  /// Calls `visit(first, last, way, steps to the first)` for the runs of cells `first`, first + 1,
+  /// Calls `visit(first, last, image, steps to the first)` for the runs of cells `first`, first +
+  /// 1,
   /// ... `last` that make up the rows beside the cell at `home`. In a narrow box a row may lead
-  /// through a cell more than once, on another way.
+  /// through a cell more than once, in another image.
   template <class Visit>
   void for_each_run(const Steps<Dim>& home, const Reach& reach, Visit visit) const {
     for_each_run(home, reach, AllRows(), visit);
@@ -110,14 +111,14 @@ class SlidingCells {
       for (; column >= side; column -= side) ++periods[0];
       for (int step = from; step <= to; ++periods[0], column = 0) {
         const int last = std::min(column + to - step, side - 1);
-        const Way way(periods, layers);
+        const PeriodicImage periodic_image(periods, layers);
         Steps<Dim> steps{step};
         if constexpr (Dim > 1) steps[1] = layers;
         for (int along_z = first_row; along_z <= last_row; ++along_z) {
           const Row& row = rows[static_cast<std::size_t>(along_z + aside_z)];
           if constexpr (Dim > 2) steps[2] = along_z;
-          visit(layer + row.base + column, layer + row.base + last, way.beyond_z(row.periods),
-                steps);
+          visit(layer + row.base + column, layer + row.base + last,
+                periodic_image.beyond_z(row.periods), steps);
         }
         step += last - column + 1;
       }

@@ -12,7 +12,7 @@ struct alignas(64) Sphere {
   Vec<Dim, Real> position;  ///< at `time`; box coordinates, x in the frame of the layer
   Vec<Dim, Real> velocity;  ///< at `time`, in the frame of the layer
   Real time;                ///< remainder of the clock
-  std::int32_t cell;        ///< in which it was settled
+  std::int32_t cell;        ///< in which its reference position lies
   std::uint32_t collisions;
 
   template <class Self, class Archive>

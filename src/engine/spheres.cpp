@@ -30,9 +30,9 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
     const std::span<Neighbour> neighbours = neighbours_of(i, 0);
     lists_.replace(i, neighbours, lists_.changes(i, neighbours));
     insert_anchor(i);
-    is_crowded_ = is_crowded_ || (settling_.is_wide && neighbours.size() > most_alone);
+    is_crowded_ = is_crowded_ || (list_range_.is_wide && neighbours.size() > most_alone);
   }
-  if (is_crowded_) settle_in_crowd(0);
+  if (is_crowded_) rebuild_in_crowd(0);
 }
 
 /// Spheres that are in no cell and on no list yet.
@@ -48,16 +48,16 @@ Spheres<Dim, Real>::Spheres(HugePageVector<Sphere> spheres, Grains<Real> grains,
       grains_(std::move(grains)),
       largest_(grains_.largest_diameter()),
       is_mixture_(!grains_.diameters.empty() || !grains_.immobile.empty()),
-      settling_(settling_in(box, static_cast<std::int32_t>(spheres.size()), sizes_of(grains_))),
+      list_range_(list_range_in(box, static_cast<std::int32_t>(spheres.size()), sizes_of(grains_))),
       spheres_(std::move(spheres)),
       boxes_(spheres_.size()),
       lists_(0, 0),
-      anchor_cells_(0) {
+      reference_cells_(0) {
   for (int axis = 0; axis < Dim; ++axis) {
     cell_grains_[static_cast<std::size_t>(axis)] =
-        static_cast<int>(static_cast<double>(box_.cell_width()[axis]) / settling_.grain + 0.5);
+        static_cast<int>(static_cast<double>(box_.cell_width()[axis]) / list_range_.grain + 0.5);
   }
-  if (box.is_sheared()) slide_grains_ = cell_grains_[0] / (2 * settling_.lists_a_cell) + 1;
+  if (box.is_sheared()) slide_grains_ = cell_grains_[0] / (2 * list_range_.lists_a_cell) + 1;
   for (const Real& diameter : grains_.diameters) radii_.push_back(diameter / 2);
   require_room();
   find_images();
@@ -116,42 +116,42 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
     sphere.velocity[0] += profile_in_layer(sphere, 0);
   }
   // Before there are lists: those of all that are in such a cell would be too long.
-  if (settling_.is_wide && is_crowd_in_a_cell()) {
-    settling_ = settling_in_crowd(box_, count(), sizes_of(grains_));
+  if (list_range_.is_wide && is_crowd_in_a_cell()) {
+    list_range_ = list_range_in_crowd(box_, count(), sizes_of(grains_));
   }
   for (std::int32_t i = 0; i < count(); ++i) {
     if (search_) {
       search_->insert(i, (*this)[i].cell);
     } else {
-      drop_anchor(i, 0, {});
+      put_reference(i, 0, {});
       insert_anchor(i);
     }
   }
 }
 
-/// How the coordinates of a neighbour are seen, for each way there, at remainder 0.
+/// How the coordinates of a neighbour are seen in each periodic image, at remainder 0.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::find_images() {
-  for (std::int32_t code = 0; code < Way::count; ++code) {
-    const Way way = Way::from_code(code);
+  for (std::int32_t code = 0; code < PeriodicImage::count; ++code) {
+    const PeriodicImage periodic_image = PeriodicImage::from_code(code);
     Steps<Dim> lag{};
     for (int axis = 0; axis < Dim; ++axis) {
       lag[static_cast<std::size_t>(axis)] =
-          way.periods(axis) * box_.cells()[static_cast<std::size_t>(axis)];
+          periodic_image.periods(axis) * box_.cells()[static_cast<std::size_t>(axis)];
     }
-    lag[0] += way.layers() * cells_.whole_slide();
+    lag[0] += periodic_image.layers() * cells_.whole_slide();
     Image<Dim, Real>& image = images_[static_cast<std::size_t>(code)];
-    image = box_.image(lag, way.layers(), 0);
-    if constexpr (Dim > 1) image.position[0] += way.periods(1) * offset_;
+    image = box_.image(lag, periodic_image.layers(), 0);
+    if constexpr (Dim > 1) image.position[0] += periodic_image.periods(1) * offset_;
   }
 }
 
 template <int Dim, class Real>
 Neighbour Spheres<Dim, Real>::neighbour(std::int32_t i, std::int32_t j, const Real& when) const {
   if (search_) {
-    const auto way = search_->way(cells_, cells_.coordinates((*this)[i].cell),
-                                  cells_.coordinates((*this)[j].cell));
-    return way ? Neighbour(j, *way) : nearest_image(i, j, when);
+    const auto periodic_image = search_->periodic_image(cells_, cells_.coordinates((*this)[i].cell),
+                                                        cells_.coordinates((*this)[j].cell));
+    return periodic_image ? Neighbour(j, *periodic_image) : nearest_image(i, j, when);
   }
   const auto neighbours = lists_.of(i);
   std::uint64_t places = lists_.places(i, j);
@@ -179,43 +179,44 @@ Neighbour Spheres<Dim, Real>::not_listed_first(std::int32_t i, std::int32_t j,
   return neighbours[static_cast<std::size_t>(std::countr_zero(places))].reversed(j);
 }
 
-/// As neighbour(), whether or not it is on a list: of all ways that lead from one layer to the
+/// As neighbour(), whether or not it is on a list: of all images that lead from one layer to the
 /// other.
 template <int Dim, class Real>
 Neighbour Spheres<Dim, Real>::nearest_image(std::int32_t i, std::int32_t j,
                                             const Real& when) const {
   const Steps<Dim> from = cells_.coordinates((*this)[i].cell);
   const Steps<Dim> to = cells_.coordinates((*this)[j].cell);
-  Neighbour nearest(j, Way());
+  Neighbour nearest(j, PeriodicImage());
   Real least = std::numeric_limits<Real>::infinity();
-  for (std::int32_t code = 0; code < Way::count; ++code) {
-    const Way way = Way::from_code(code);
+  for (std::int32_t code = 0; code < PeriodicImage::count; ++code) {
+    const PeriodicImage periodic_image = PeriodicImage::from_code(code);
     if constexpr (Dim > 1) {
-      if (to[1] + way.periods(1) * box_.cells()[1] - from[1] != way.layers()) continue;
+      if (to[1] + periodic_image.periods(1) * box_.cells()[1] - from[1] != periodic_image.layers())
+        continue;
     }
-    const Real distance = square(i, Neighbour(j, way), when);
+    const Real distance = square(i, Neighbour(j, periodic_image), when);
     if (!(distance < least)) continue;
     least = distance;
-    nearest = Neighbour(j, way);
+    nearest = Neighbour(j, periodic_image);
   }
   return nearest;
 }
 
 template <int Dim, class Real>
-Vec<Dim, Real> Spheres<Dim, Real>::shortest_image(Vector way, const Real& when) const {
+Vec<Dim, Real> Spheres<Dim, Real>::shortest_image(Vector displacement, const Real& when) const {
   using std::floor;
   for (int axis = Dim - 1; axis >= 0; --axis) {  // layers first: they decide about the columns
     if (box_.is_closed(axis)) continue;
     const Real& side = box_.sides()[axis];
     const Real half = side / 2;
-    if (-half < way[axis] && way[axis] < half) continue;
-    const Real periods = floor(static_cast<Real>(way[axis] / side + Real(0.5)));
-    way[axis] -= periods * side;
+    if (-half < displacement[axis] && displacement[axis] < half) continue;
+    const Real periods = floor(static_cast<Real>(displacement[axis] / side + Real(0.5)));
+    displacement[axis] -= periods * side;
     if (axis == 1) {
-      way[0] -= periods * turned_offset(when);
+      displacement[0] -= periods * turned_offset(when);
     }
   }
-  return way;
+  return displacement;
 }
 
 template <int Dim, class Real>

@@ -9,15 +9,15 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/anchor_cells.hpp"
 #include "engine/cell_search.hpp"
 #include "engine/configuration.hpp"
 #include "engine/contacts_ahead.hpp"
-#include "engine/fetching.hpp"
 #include "engine/floating_point_filter.hpp"
 #include "engine/huge_page_vector.hpp"
+#include "engine/list_range.hpp"
 #include "engine/neighbour_lists.hpp"
-#include "engine/settling.hpp"
+#include "engine/prefetching.hpp"
+#include "engine/reference_cells.hpp"
 #include "engine/simd/first_contacts.hpp"
 #include "engine/sized_anchors.hpp"
 #include "engine/sliding_cells.hpp"
@@ -28,18 +28,19 @@
 
 namespace zenosphere {
 
-/// The spheres in their box: where each one is at any moment between two events, and who is near.
+/// The spheres in their box: where each one is at any moment between two events, and which are
+/// near.
 ///
 /// Every sphere is stored as it was at its own last event; `when` is always a remainder of the
 /// clock. Positions are box coordinates, x in the frame of the sphere's layer.
 ///
-/// A sphere is *settled* now and then: it gets an anchor where it is, or somewhat ahead, the cell
-/// of the anchor, and a list of all who can touch it while both stay within reach of their anchors.
-/// When it leaves that ball, or the layers have slid on by half a cell or less, it has to be
-/// settled again. Until then cell and frame stay, also where the sphere is a little outside. In
-/// dilute systems there are neither anchors nor lists (see CellSearch): a sphere is settled in the
-/// next cell when it crosses a face of its own. Nothing in here knows about collisions or the order
-/// of events.
+/// Now and then the neighbour list of a sphere is rebuilt: it gets a reference position where it
+/// is, or somewhat ahead, the cell of that position, and a list of all that can touch it while both
+/// stay within reach of theirs. When it leaves that ball, or the layers have slid on by half a cell
+/// or less, it has to be settled again. Until then cell and frame stay, also where the sphere is a
+/// little outside. In dilute systems there are neither reference positions nor lists (see
+/// CellSearch): a sphere is settled in the next cell when it crosses a face of its own. Nothing in
+/// here knows about collisions or the order of events.
 ///
 /// Source: neighbour lists in event-driven dynamics: Donev, Torquato & Stillinger, J. Comput. Phys.
 /// 202 (2005) 737. That each is renewed alone, and the frames that slide, are ours.
@@ -49,7 +50,7 @@ class Spheres {
   using Vector = Vec<Dim, Real>;
   using Sphere = zenosphere::Sphere<Dim, Real>;
 
-  /// Settles all spheres at remainder 0. The offset of the start stays with the images of the box;
+  /// Builds all lists at remainder 0. The offset of the start stays with the images of the box;
   /// the layers slide from 0 on, so that places are kept as they are given.
   ///
   /// Throws std::invalid_argument where cells are not wide enough for the largest sphere.
@@ -73,7 +74,7 @@ class Spheres {
   const ShearBox<Dim, Real>& box() const { return box_; }
   const Vector& acceleration() const { return acceleration_; }
 
-  /// What they are, and how fast they turn: of each, or of none where nobody turns.
+  /// What they are, and how fast they turn: of each, or of none where they do not turn.
   const Grains<Real>& grains() const { return grains_; }
   std::vector<Spin<Dim, Real>>& spins() { return spins_; }
   const std::vector<Spin<Dim, Real>>& spins() const { return spins_; }
@@ -122,7 +123,8 @@ class Spheres {
     return copy;
   }
 
-  /// How i sees j, a neighbour; in a narrow box, where several ways lead there, the nearest one.
+  /// How i sees j, a neighbour; in a narrow box, where several images of it are near, the nearest
+  /// one.
   Neighbour neighbour(std::int32_t i, std::int32_t j, const Real& when) const;
 
   /// Motion of a neighbour relative to i at `when`.
@@ -138,8 +140,9 @@ class Spheres {
                     {other.position - own.position, other.velocity - own.velocity});
   }
 
-  /// The shortest of the periodic images of a way between two spheres at `when`, axis by axis.
-  Vector shortest_image(Vector way, const Real& when) const;
+  /// The shortest of the periodic images of a displacement between two spheres at `when`, axis by
+  /// axis.
+  Vector shortest_image(Vector displacement, const Real& when) const;
 
   std::span<const Neighbour> neighbours(std::int32_t i) const {
     return search_ ? search_->around(cells_, cells_.coordinates((*this)[i].cell)) : lists_.of(i);
@@ -171,68 +174,71 @@ class Spheres {
     for (const Neighbour neighbour : neighbours) {
       if constexpr (!std::is_floating_point_v<Real>) {  // dear numbers
         const Sphere& other = (*this)[neighbour.sphere()];
-        if (!falls_ && roughly.misses(other, image(neighbour.way()))) continue;
+        if (!falls_ && roughly.misses(other, image(neighbour.periodic_image()))) continue;
       }
       const auto contact = zenosphere::contact(motion_from(here, neighbour));
       if (contact) ahead.add(neighbour.sphere(), *contact);
     }
   }
 
-  /// Fetches what will be read of a sphere.
-  void fetch(std::int32_t i) const {
-    fetch_line(&(*this)[i]);
-    if (!search_) lists_.fetch(i);
+  /// Prefetches what will be read of a sphere.
+  void prefetch(std::int32_t i) const {
+    prefetch_line(&(*this)[i]);
+    if (!search_) lists_.prefetch(i);
   }
-  /// Fetches the cells around it, where it will be settled at `when`.
-  void fetch_cells(std::int32_t i, const Real& when) const;
-  /// Fetches its neighbours.
-  void fetch_neighbours(std::int32_t i) const {
-    for (const Neighbour neighbour : neighbours(i)) fetch_line(&(*this)[neighbour.sphere()]);
+  /// Prefetches the cells around it, where its list will be rebuilt at `when`.
+  void prefetch_cells(std::int32_t i, const Real& when) const;
+  /// Prefetches its neighbours.
+  void prefetch_neighbours(std::int32_t i) const {
+    for (const Neighbour neighbour : neighbours(i)) prefetch_line(&(*this)[neighbour.sphere()]);
   }
 
-  /// When a sphere has to be settled again, as foreseen at `when`; of a time after `until` only
-  /// that it is after it.
-  Real unsettled_at(std::int32_t i, const Real& when, const Real& until) const;
+  /// When the list of a sphere has to be rebuilt, as foreseen at `when`; of a time after `until`
+  /// only that it is after it.
+  Real rebuild_time(std::int32_t i, const Real& when, const Real& until) const;
 
-  /// Settles a sphere at `when`.
+  /// Rebuilds the neighbour list of a sphere at `when`.
   ///
-  /// \param meeting  when it will meet somebody, as far as is known: where its anchor should be
+  /// \param meeting  the next one, as far as is known: where its reference position should be
   /// \return  its new neighbours
-  std::span<const Neighbour> settle(std::int32_t i, const Real& when, const Real& meeting);
+  std::span<const Neighbour> rebuild_list(std::int32_t i, const Real& when, const Real& meeting);
 
-  /// Settles a sphere wherever it is: one that nobody has followed for a while.
-  void settle_anew(std::int32_t i, const Real& when);
+  /// Puts a sphere that has not been followed for a while into the cell where it is, and rebuilds
+  /// its list.
+  void place_anew(std::int32_t i, const Real& when);
 
   /// Whether spheres are looked for cell by cell, without lists.
   bool looks_by_cells() const { return search_.has_value(); }
-  /// Whether spheres come near when the clock is set back, for whom somebody has to look.
+  /// Whether spheres come near when all times are shifted: new neighbours, which have to be looked
+  /// at.
   bool slide_near() const { return search_ && box_.is_sheared(); }
-  /// Whom sphere i has to look at then; of each pair one is told.
+  /// The spheres that i has to look at then; of each pair one is told.
   std::span<const Neighbour> slid_near(std::int32_t i) const {
     return search_->slid_near(cells_, cells_.coordinates((*this)[i].cell));
   }
 
-  /// How far a sphere goes from its anchor, or from the middle of its cell, diameters.
-  double reach() const { return settling_.reach; }
+  /// How far a sphere goes from its reference position, or from the middle of its cell, diameters.
+  double reach() const { return list_range_.reach; }
 
-  /// Whether a sphere is far outside of its ball: it was known that nobody would meet it there.
+  /// Whether a sphere is far outside of its ball: it was known that it would meet no other there.
   bool is_far_out(std::int32_t i, const Real& when) const;
 
   /// Gives a sphere the image of the box to which it has come at `when`, however far that is. Not
-  /// under shear. It stays stored for the time for which it was, and has to be settled then.
+  /// under shear. It stays stored for the time for which it was, and its list has to be rebuilt
+  /// then.
   void bring_back(std::int32_t i, const Real& when) { boxes(i) += brought_back((*this)[i], when); }
 
   /// Whether more spheres are near one than lists should hold that are as wide as the cells.
   bool is_crowded() const { return is_crowded_; }
-  /// Settles all spheres in balls for a crowd, from now on.
-  void settle_in_crowd(const Real& when);
+  /// Rebuilds all lists, with balls for a crowd from now on.
+  void rebuild_in_crowd(const Real& when);
 
   /// Whether two spheres are in the frame of one layer.
   bool share_layer(std::int32_t i, std::int32_t j) const;
 
-  /// Sets the clock of all spheres back by `span`; under shear that is one clock unit, and the
+  /// Shifts the times of all spheres by `span`; under shear that is one clock unit, and the
   /// layers have slid by one more cell.
-  void set_back(const Real& span);
+  void shift_times(const Real& span);
 
   /// Velocity relative to the imposed profile at the sphere's place, diameters/time.
   Vector peculiar_velocity(const Sphere& sphere, const Real& when) const {
@@ -272,13 +278,13 @@ class Spheres {
   void require_room() const;
   void displace_images(const Real& offset);
   void place(const Configuration<Dim, Real>& start);
-  Vector way_to_anchor(const Vector& velocity, const Real& flight) const;
-  void drop_anchor(std::int32_t i, const Real& when, const Vector& ahead);
-  Anchor::Place place_in_cell(const Vector& place, std::int32_t cell) const;
+  Vector displacement_of_reference(const Vector& velocity, const Real& flight) const;
+  void put_reference(std::int32_t i, const Real& when, const Vector& ahead);
+  ReferencePosition::Place place_in_cell(const Vector& place, std::int32_t cell) const;
   Vector corner(std::int32_t cell) const;
   bool is_crowd_in_a_cell() const;
-  Way go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
-  void see_from(Sphere& sphere, Way way) const;
+  PeriodicImage go_home(Sphere& sphere, const Real& when, const Vector& ahead) const;
+  void see_from(Sphere& sphere, PeriodicImage periodic_image) const;
   /// Through which face a sphere leaves its cell.
   struct Exit {
     Real time = std::numeric_limits<Real>::infinity();  ///< from now
@@ -299,7 +305,8 @@ class Spheres {
   std::span<Neighbour> neighbours_of_one_size(std::int32_t i, const Real& when);
   std::span<Neighbour> neighbours_by_size(std::int32_t i, const Real& when);
   typename SizedAnchors<Dim>::Viewer viewer(std::int32_t i, const Steps<Dim>& home,
-                                            const Anchor::Place& place, const Real& when) const;
+                                            const ReferencePosition::Place& place,
+                                            const Real& when) const;
   Slides slides(const Steps<Dim>& home, const Real& when) const;
   /// The same in grains, in the middle of the time for which a list lasts.
   struct SlidGrains {
@@ -312,7 +319,7 @@ class Spheres {
   Real time_in_ball(const Vector& away, const Vector& velocity) const;
   Real time_in_cube(const Vector& away, const Vector& velocity, const Vector& pull) const;
   /// Half the side of the cube inside the ball that is within reach, diameters.
-  double reach_along_axes() const { return settling_.reach / std::sqrt(double{Dim}); }
+  double reach_along_axes() const { return list_range_.reach / std::sqrt(double{Dim}); }
   Neighbour not_listed_first(std::int32_t i, std::int32_t j, const Real& when) const;
   Neighbour nearest_image(std::int32_t i, std::int32_t j, const Real& when) const;
   Real square(std::int32_t i, Neighbour neighbour, const Real& when) const;
@@ -344,15 +351,15 @@ class Spheres {
   /// The motion of the image in which a neighbour is seen, from that of the neighbour itself.
   RelativeMotion<Dim, Real> in_image(Neighbour neighbour, const Real& when,
                                      RelativeMotion<Dim, Real> motion) const {
-    const Image<Dim, Real>& image = this->image(neighbour.way());
+    const Image<Dim, Real>& image = this->image(neighbour.periodic_image());
     // Number by number: a moved image would be written in parts and read as a whole, with a wait.
     motion.dr[0] += image.position[0] + image.velocity * when;
     for (int axis = 1; axis < Dim; ++axis) motion.dr[axis] += image.position[axis];
     motion.dv[0] += image.velocity;
     return motion;
   }
-  const Image<Dim, Real>& image(Way way) const {
-    return images_[static_cast<std::size_t>(way.code())];
+  const Image<Dim, Real>& image(PeriodicImage periodic_image) const {
+    return images_[static_cast<std::size_t>(periodic_image.code())];
   }
   Real profile_in_layer(const Sphere& sphere, const Real& when) const;
   Real slide(double units, const Real& when) const;
@@ -360,15 +367,15 @@ class Spheres {
   void wrap(Vector& position, Vec<Dim, double>& boxes) const;
   Real turned_offset(const Real& when) const;
   double boxes_slid(double layer, double units) const;
-  static Vec<Dim, double> periods_of(Way way) {
+  static Vec<Dim, double> periods_of(PeriodicImage periodic_image) {
     Vec<Dim, double> periods;
-    for (int axis = 0; axis < Dim; ++axis) periods[axis] = way.periods(axis);
+    for (int axis = 0; axis < Dim; ++axis) periods[axis] = periodic_image.periods(axis);
     return periods;
   }
   Vec<Dim, double>& boxes(std::int32_t i) { return boxes_[static_cast<std::size_t>(i)]; }
 
-  Anchor& anchor(std::int32_t i) { return lists_.anchor(i); }
-  const Anchor& anchor(std::int32_t i) const { return lists_.anchor(i); }
+  ReferencePosition& reference(std::int32_t i) { return lists_.reference(i); }
+  const ReferencePosition& reference(std::int32_t i) const { return lists_.reference(i); }
 
   ShearBox<Dim, Real> box_;
   SlidingCells<Dim> cells_;
@@ -381,7 +388,7 @@ class Spheres {
   Real largest_;             ///< diameter
   std::vector<Real> radii_;  ///< empty where all have unit diameter
   bool is_mixture_;          ///< sizes differ, or some are immobile: each pair is looked at
-  Settling settling_;
+  ListRange list_range_;
   bool is_crowded_ = false;             ///< and the balls are still wide
   std::array<int, Dim> cell_grains_{};  ///< sides of a cell, rounded
   int slide_grains_ = 0;   ///< by which adjacent layers slide while half of a list's time passes
@@ -389,12 +396,12 @@ class Spheres {
   double odd_offset_ = 0;  ///< of it the part beside whole cells, in cells
   HugePageVector<Sphere> spheres_;
   HugePageVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
-  std::optional<CellSearch<Dim>> search_;   ///< in place of lists and anchors, or none
+  std::optional<CellSearch<Dim>> search_;   ///< in place of lists and reference positions, or none
   NeighbourLists lists_;
-  AnchorCells anchor_cells_;                        ///< of spheres of one size
+  ReferenceCells reference_cells_;                  ///< of spheres of one size
   std::optional<SizedAnchors<Dim>> sized_anchors_;  ///< in place of these, or none
   std::vector<Neighbour> nearby_;                   ///< scratch
-  std::array<Image<Dim, Real>, 256> images_{};      ///< of each way, at remainder 0
+  std::array<Image<Dim, Real>, 256> images_{};      ///< by their codes, at remainder 0
 };
 
 }  // namespace zenosphere

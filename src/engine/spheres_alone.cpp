@@ -1,4 +1,4 @@
-// Spheres that are far apart: that nobody meets for long, and balls as wide as cells until a crowd
+// Spheres that are far apart: that meet no other for long, and balls as wide as cells until a crowd
 // comes together.
 
 #include <algorithm>
@@ -17,11 +17,12 @@ bool Spheres<Dim, Real>::is_far_out(std::int32_t i, const Real& when) const {
   Vector away;
   for (int axis = 0; axis < Dim; ++axis) {
     const Real middle =
-        search_ ? Real(box_.cell_width()[axis] / 2)
-                : Real(anchor(i).place[static_cast<std::size_t>(axis)] * Real(settling_.grain));
+        search_
+            ? Real(box_.cell_width()[axis] / 2)
+            : Real(reference(i).place[static_cast<std::size_t>(axis)] * Real(list_range_.grain));
     away[axis] = (place[axis] - corner[axis]) - middle;
   }
-  const Real limit = 2 * Real(settling_.reach);
+  const Real limit = 2 * Real(list_range_.reach);
   return dot(away, away) > limit * limit;
 }
 
@@ -63,17 +64,17 @@ bool Spheres<Dim, Real>::share_layer(std::int32_t i, std::int32_t j) const {
 }
 
 template <int Dim, class Real>
-void Spheres<Dim, Real>::settle_in_crowd(const Real& when) {
-  settling_ = settling_in_crowd(box_, count(), sizes_of(grains_));
+void Spheres<Dim, Real>::rebuild_in_crowd(const Real& when) {
+  list_range_ = list_range_in_crowd(box_, count(), sizes_of(grains_));
   is_crowded_ = false;
   if (search_) {
     use_lists();
     for (std::int32_t i = 0; i < count(); ++i) {
-      drop_anchor(i, when, {});
+      put_reference(i, when, {});
       insert_anchor(i);
     }
   }
-  for (std::int32_t i = 0; i < count(); ++i) settle(i, when, when);
+  for (std::int32_t i = 0; i < count(); ++i) rebuild_list(i, when, when);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                 \
@@ -81,7 +82,7 @@ void Spheres<Dim, Real>::settle_in_crowd(const Real& when) {
   template Vec<Dim, double> Spheres<Dim, Real>::brought_back(Sphere&, const Real&) const; \
   template bool Spheres<Dim, Real>::is_crowd_in_a_cell() const;                           \
   template bool Spheres<Dim, Real>::share_layer(std::int32_t, std::int32_t) const;        \
-  template void Spheres<Dim, Real>::settle_in_crowd(const Real&);
+  template void Spheres<Dim, Real>::rebuild_in_crowd(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

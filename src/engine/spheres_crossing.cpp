@@ -1,4 +1,4 @@
-// Spheres that are looked for cell by cell: where they leave their cells, and whom they see then.
+// Spheres that are looked for cell by cell: where they leave their cells, and which they see then.
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +16,21 @@ void Spheres<Dim, Real>::use_cells() {
   for (int axis = 0; axis < Dim; ++axis) {
     widest = std::max(widest, static_cast<double>(box_.cell_width()[axis]));
   }
-  settling_.reach = widest / 2;
+  list_range_.reach = widest / 2;
 }
 
-/// From now on there are lists: anchors have to be dropped.
+/// From now on there are lists: reference positions are needed.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::use_lists() {
   search_.reset();
-  lists_ = NeighbourLists(count(), settling_.neighbours);
+  lists_ = NeighbourLists(count(), list_range_.neighbours);
   if (are_of_one_size()) {
-    anchor_cells_ = AnchorCells(cells_.count());
+    reference_cells_ = ReferenceCells(cells_.count());
     return;
   }
   std::vector<double> radii;
   for (const Real& radius : radii_) radii.push_back(static_cast<double>(radius));
-  const AnchorGrid<Dim> grid{cell_grains_, settling_.grain, static_cast<double>(box_.volume()),
+  const AnchorGrid<Dim> grid{cell_grains_, list_range_.grain, static_cast<double>(box_.volume()),
                              box_.is_closed(0)};
   sized_anchors_.emplace(cells_, grid, radii);
 }
@@ -59,9 +59,9 @@ typename Spheres<Dim, Real>::Exit Spheres<Dim, Real>::exit(const Sphere& sphere,
   for (int axis = 0; axis < Dim; ++axis) {
     const Real& speed = sphere.velocity[axis];
     if (speed == 0) continue;
-    const Real way =
+    const Real distance =
         speed > 0 ? Real(box_.cell_width()[axis] - in_cell[axis]) : Real(-in_cell[axis]);
-    const Real time = std::max(Real(0), Real(way / speed));
+    const Real time = std::max(Real(0), Real(distance / speed));
     if (time < first.time) first = {time, axis, speed > 0 ? 1 : -1};
   }
   return first;
@@ -70,7 +70,7 @@ typename Spheres<Dim, Real>::Exit Spheres<Dim, Real>::exit(const Sphere& sphere,
 /// Lets a sphere cross the face that it has come to. Its place decides nothing but the column of
 /// another layer, and that within those that are seen from here: so rounding leads nowhere else.
 ///
-/// \return  whom it has not seen before
+/// \return  those that it has not seen before
 template <int Dim, class Real>
 std::span<const Neighbour> Spheres<Dim, Real>::cross_face(std::int32_t i, const Real& when) {
   Sphere& sphere = (*this)[i];
@@ -94,13 +94,13 @@ std::span<const Neighbour> Spheres<Dim, Real>::cross_face(std::int32_t i, const 
       wrap(0);
     }
   }
-  const Way way(periods, layers);
+  const PeriodicImage periodic_image(periods, layers);
   const std::int32_t cell = cells_.index(to);
   search_->move(i, sphere.cell, cell);
   sphere.cell = cell;
-  if (way != Way()) {
-    see_from(sphere, way);
-    boxes(i) += periods_of(way);
+  if (periodic_image != PeriodicImage()) {
+    see_from(sphere, periodic_image);
+    boxes(i) += periods_of(periodic_image);
   }
   const auto fresh = search_->beyond(cells_, {exit.axis, exit.direction, from, to});
   is_crowded_ = is_crowded_ || fresh.size() > most_beyond_face;
@@ -128,9 +128,9 @@ int Spheres<Dim, Real>::column_beyond(const Sphere& sphere, const Steps<Dim>& fr
 }
 
 template <int Dim, class Real>
-void Spheres<Dim, Real>::settle_anew(std::int32_t i, const Real& when) {
+void Spheres<Dim, Real>::place_anew(std::int32_t i, const Real& when) {
   if (!search_) {
-    settle(i, when, when);
+    rebuild_list(i, when, when);
     return;
   }
   Sphere& sphere = (*this)[i];
@@ -144,7 +144,7 @@ void Spheres<Dim, Real>::settle_anew(std::int32_t i, const Real& when) {
   template void Spheres<Dim, Real>::use_lists();                                                 \
   template Real Spheres<Dim, Real>::exit_at(std::int32_t, const Real&, const Real&) const;       \
   template std::span<const Neighbour> Spheres<Dim, Real>::cross_face(std::int32_t, const Real&); \
-  template void Spheres<Dim, Real>::settle_anew(std::int32_t, const Real&);
+  template void Spheres<Dim, Real>::place_anew(std::int32_t, const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

@@ -20,7 +20,8 @@ void Spheres<Dim, Real>::find_contacts_of(std::int32_t i, std::span<const Neighb
     const Real sigma = this->sigma(i, j);
     if constexpr (!std::is_floating_point_v<Real>) {  // dear numbers
       const auto rough_sigma = static_cast<double>(sigma);
-      if (!falls_ && roughly.misses((*this)[j], image(neighbour.way()), rough_sigma)) continue;
+      if (!falls_ && roughly.misses((*this)[j], image(neighbour.periodic_image()), rough_sigma))
+        continue;
     }
     const auto motion = motion_from(here, neighbour);
     const auto contact = fall_apart(i, j)
@@ -34,23 +35,23 @@ template <int Dim, class Real>
 void Spheres<Dim, Real>::insert_anchor(std::int32_t i) {
   const std::int32_t cell = (*this)[i].cell;
   if (!sized_anchors_) [[likely]]
-    return anchor_cells_.insert(i, cell, anchor(i));
-  sized_anchors_->insert(i, cell, anchor(i));
+    return reference_cells_.insert(i, cell, reference(i));
+  sized_anchors_->insert(i, cell, reference(i));
 }
 
 template <int Dim, class Real>
 void Spheres<Dim, Real>::remove_anchor(std::int32_t i) {
   const std::int32_t cell = (*this)[i].cell;
   if (!sized_anchors_) [[likely]]
-    return anchor_cells_.remove(i, cell);
-  sized_anchors_->remove(i, cell, anchor(i));
+    return reference_cells_.remove(i, cell);
+  sized_anchors_->remove(i, cell, reference(i));
 }
 
 /// As neighbours_of_one_size(), each pair by its own distance.
 template <int Dim, class Real>
 std::span<Neighbour> Spheres<Dim, Real>::neighbours_by_size(std::int32_t i, const Real& when) {
   const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
-  return sized_anchors_->find(cells_, viewer(i, home, anchor(i).place, when), nearby_);
+  return sized_anchors_->find(cells_, viewer(i, home, reference(i).place, when), nearby_);
 }
 
 /// \param home   the cell in which it is, or will be
@@ -58,16 +59,16 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_by_size(std::int32_t i, cons
 template <int Dim, class Real>
 typename SizedAnchors<Dim>::Viewer Spheres<Dim, Real>::viewer(std::int32_t i,
                                                               const Steps<Dim>& home,
-                                                              const Anchor::Place& place,
+                                                              const ReferencePosition::Place& place,
                                                               const Real& when) const {
-  const double beyond = settling_.distance - static_cast<double>(largest_);
+  const double beyond = list_range_.distance - static_cast<double>(largest_);
   const SlidGrains slid = slid_grains(slides(home, when));
   return {.sphere = i,
           .home = home,
           .place = place,
           .slid = slid.layers,
           .slide = slid.either_way,
-          .beyond = static_cast<int>(std::ceil(beyond / settling_.grain))};
+          .beyond = static_cast<int>(std::ceil(beyond / list_range_.grain))};
 }
 
 /// Without those that are immobile: two that never change their velocity do not meet, they are
@@ -88,7 +89,7 @@ std::span<Neighbour> Spheres<Dim, Real>::without_immobile(std::span<Neighbour> n
   template void Spheres<Dim, Real>::remove_anchor(std::int32_t);                                   \
   template std::span<Neighbour> Spheres<Dim, Real>::neighbours_by_size(std::int32_t, const Real&); \
   template typename SizedAnchors<Dim>::Viewer Spheres<Dim, Real>::viewer(                          \
-      std::int32_t, const Steps<Dim>&, const Anchor::Place&, const Real&) const;                   \
+      std::int32_t, const Steps<Dim>&, const ReferencePosition::Place&, const Real&) const;        \
   template std::span<Neighbour> Spheres<Dim, Real>::without_immobile(std::span<Neighbour>) const;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

@@ -102,7 +102,7 @@ class Search {
     slack_ = 2 * radius_ / std::abs(speed);
     between_ = period / std::abs(speed);
     // The first plane is so far back that no contact with it can be ahead.
-    first_time_ = -flight.way[axis] / speed;
+    first_time_ = -flight.displacement[axis] / speed;
     first_time_ -= between_ * std::floor(first_time_ / between_);
     first_time_ -= between_ * std::ceil(slack_ / between_);
     end_ = longest / std::sqrt(speed2_);
@@ -112,8 +112,8 @@ class Search {
       if (a == axis) continue;
       const double slope = flight.velocity[a] / speed;
       Passes& passes = passes_[static_cast<std::size_t>(across++)];
-      passes = {flight.way[a] + flight.velocity[a] * first_time_, flight.velocity[a] * between_,
-                flight.periods[static_cast<std::size_t>(a)],
+      passes = {flight.displacement[a] + flight.velocity[a] * first_time_,
+                flight.velocity[a] * between_, flight.periods[static_cast<std::size_t>(a)],
                 radius_ * std::sqrt(1 + slope * slope)};
       is_narrow_ = is_narrow_ || 2 * passes.reach >= passes.period;
     }
@@ -148,7 +148,7 @@ class Search {
   /// When the image at plane n is touched, or infinity: it is missed, or left behind.
   double contact_at(double n) const {
     const double time = first_time_ + n * between_;
-    Vec<Dim, double> place = flight_.way + flight_.velocity * time;
+    Vec<Dim, double> place = flight_.displacement + flight_.velocity * time;
     for (int a = 0; a < Dim; ++a) {
       const double period = flight_.periods[static_cast<std::size_t>(a)];
       if (std::isfinite(period)) place[a] -= period * std::round(place[a] / period);
@@ -193,7 +193,8 @@ double time_by_planes(const StraightFlight<Dim>& flight, int axis, double until,
   const auto time_within = [&](double longest) {
     return Search<Dim>(flight, axis, longest).first_contact(searches);
   };
-  // The shorter the flight, the finer it is told who misses whom: the longest that is certain.
+  // The shorter the flight, the finer it is told which miss each other: the longest that is
+  // certain.
   double longest = longest_foreseen / std::max(1.0, flight.speed / speed);
   longest = std::min(longest, until * speed);
   double time = time_within(longest);

@@ -12,7 +12,7 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 /// Two unit spheres that fly straight through a box at rest, one seen from the other.
 template <int Dim>
 struct StraightFlight {
-  Vec<Dim, double> way;             ///< from one to the other, in any image, diameters
+  Vec<Dim, double> displacement;    ///< from one to the other, in any image, diameters
   Vec<Dim, double> velocity;        ///< relative, diameters/time
   double speed;                     ///< of the faster one in the box, diameters/time
   std::array<double, Dim> periods;  ///< sides of the box, diameters; infinity: not periodic

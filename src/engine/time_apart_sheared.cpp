@@ -31,7 +31,7 @@ class PassesBy {
 
   double time_apart(double until) const {
     constexpr int most_passes = 4096;
-    const double height = flight_.way[1];
+    const double height = flight_.displacement[1];
     const double speed = flight_.velocity[1];
     const double side = flight_.sides[1];
     const double up = speed < 0 ? -1 : 1;
@@ -56,8 +56,9 @@ class PassesBy {
   double time_apart_in(const Pass& pass) const {
     const double velocity = flight_.velocity[0] + pass.boxes_up * flight_.slide;
     const double offset = pass.boxes_up * flight_.offset;
-    const double place = flight_.way[0] + offset + velocity * pass.from;
-    double flown = std::abs(flight_.way[0]) + std::abs(offset) + std::abs(velocity) * pass.to;
+    const double place = flight_.displacement[0] + offset + velocity * pass.from;
+    double flown =
+        std::abs(flight_.displacement[0]) + std::abs(offset) + std::abs(velocity) * pass.to;
     if constexpr (Dim > 2) flown += std::abs(flight_.velocity[2]) * pass.to;
     const double reach = radius + 64 * std::numeric_limits<double>::epsilon() * flown;
     if (2 * reach >= flight_.sides[0]) return 0;
@@ -67,7 +68,7 @@ class PassesBy {
     } else {
       const double side = flight_.sides[2];
       if (2 * reach >= side) return near_along_x;
-      const double across = flight_.way[2] + flight_.velocity[2] * pass.from;
+      const double across = flight_.displacement[2] + flight_.velocity[2] * pass.from;
       const double near =
           std::max(near_along_x, first_near(across, flight_.velocity[2], side, reach));
       const double beside =

@@ -10,7 +10,7 @@ namespace zenosphere {
 /// laboratory.
 template <int Dim>
 struct ShearedFlight {
-  Vec<Dim, double> way;           ///< from one to the other, in any image, diameters
+  Vec<Dim, double> displacement;  ///< from one to the other, in any image, diameters
   Vec<Dim, double> velocity;      ///< relative, diameters/time
   std::array<double, Dim> sides;  ///< of the box, diameters
   double offset;                  ///< of the upper image of the box along x, diameters

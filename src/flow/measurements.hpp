@@ -31,9 +31,9 @@ class Measurements {
   Measurements(const Simulation<Dim, Real>& simulation, AverageStart after_time,
                double interval = 0);
 
-  /// Has what is kept of the spheres fetched ahead, from now on; only the speed depends on it.
-  void fetch_with(Simulation<Dim, Real>& simulation) const {
-    simulation.fetch_too(flight_start_.data(), sizeof flight_start_.front());
+  /// Has what is kept of the spheres prefetched, from now on; only the speed depends on it.
+  void prefetch_with(Simulation<Dim, Real>& simulation) const {
+    simulation.prefetch_too(flight_start_.data(), sizeof flight_start_.front());
   }
 
   /// To be called once after each collision, in order.

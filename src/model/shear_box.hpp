@@ -57,7 +57,7 @@ class ShearBox {
       const Real fitting = floor(static_cast<Real>(sides[axis] / (width * (1 + margin))));
       const int cells = fitting > least ? static_cast<int>(fitting) : least;
       cell_width_[axis] = sides[axis] / cells;
-      // Beyond a wall lies a layer of cells that stays empty: nobody meets across it.
+      // Beyond a wall lies a layer of cells that stays empty: no spheres meet across it.
       cells_[static_cast<std::size_t>(axis)] = is_closed(axis) ? cells + 1 : cells;
     }
     if constexpr (Dim > 1) slide_speed_ = shear_rate * cell_width_[1];

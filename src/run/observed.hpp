@@ -90,7 +90,7 @@ class Observed final : public ObservedSimulation {
 
   void begin_piece(std::vector<CollisionRow>* rows) override {
     rows_.begin(rows);
-    observers_.measurements().fetch_with(simulation_);
+    observers_.measurements().prefetch_with(simulation_);
   }
 
   void end_piece(bool is_last) override {

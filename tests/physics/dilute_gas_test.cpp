@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/settling.hpp"
+#include "engine/list_range.hpp"
 #include "engine/start.hpp"
 #include "model/archive.hpp"
 #include "support/gas.hpp"

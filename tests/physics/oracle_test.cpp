@@ -27,7 +27,7 @@ struct Flow {
 };
 
 /// Widths that cells have at least: 2 or 3 of them a side, or up to 5, in which spheres must be
-/// settled again and again.
+/// given new lists again and again.
 constexpr double wide = 1.5;
 constexpr double narrow = 1.05;
 

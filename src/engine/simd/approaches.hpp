@@ -66,7 +66,7 @@ ZENOSPHERE_WIDE inline Approaches approaches(const Sphere<Dim, double>* spheres,
     return reinterpret_cast<const double*>(spheres + neighbours[lane].sphere());
   };
   const auto image = [&](std::size_t lane) {
-    return reinterpret_cast<const double*>(images + neighbours[lane].way().code());
+    return reinterpret_cast<const double*>(images + neighbours[lane].periodic_image().code());
   };
   FourSpheres<Dim> four;
   for (int k = 0; k < FourSpheres<Dim>::numbers; k += 4) {

@@ -33,11 +33,11 @@ class NumberedApproaches {
             _mm256_set_pd(r2_[l], r2_[k], r2_[j], r2_[i])};
   }
 
-  /// Stands for nobody: two that rest apart never touch.
-  static constexpr int nobody = 63;
-  void put_nobody() {
-    b_[nobody] = v2_[nobody] = 0;
-    r2_[nobody] = 4;
+  /// Stands for no neighbour: two that rest apart never touch.
+  static constexpr int no_neighbour = 63;
+  void put_no_neighbour() {
+    b_[no_neighbour] = v2_[no_neighbour] = 0;
+    r2_[no_neighbour] = 4;
   }
 
  private:
@@ -56,7 +56,7 @@ struct UnitSigmas {
 class NumberedSigmas {
  public:
   NumberedSigmas(const double* radii, std::int32_t own) : radii_(radii), own_(radii[own]) {
-    sigma_[NumberedApproaches::nobody] = 1;
+    sigma_[NumberedApproaches::no_neighbour] = 1;
   }
   ZENOSPHERE_WIDE __m256d put(std::size_t number, const Neighbour* neighbours) {
     const __m256d sigma = _mm256_add_pd(_mm256_set1_pd(own_), radii_of(radii_, neighbours));
@@ -159,7 +159,7 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
     candidates |= static_cast<std::uint64_t>(bits(may_touch(four, sigma))) << k;
   }
   candidates &= (std::uint64_t{1} << size) - 1;
-  approaches.put_nobody();
+  approaches.put_no_neighbour();
   const __m256d when = _mm256_set1_pd(from.when);
   FirstTwoInLanes lanes;
   __m256d overlaps = _mm256_setzero_pd();
@@ -167,8 +167,8 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
   while (candidates != 0) {
     std::array<std::size_t, 4> numbers;
     for (std::size_t& number : numbers) {
-      constexpr std::uint64_t nobody = std::uint64_t{1} << NumberedApproaches::nobody;
-      number = static_cast<std::size_t>(std::countr_zero(candidates | nobody));
+      constexpr std::uint64_t no_neighbour = std::uint64_t{1} << NumberedApproaches::no_neighbour;
+      number = static_cast<std::size_t>(std::countr_zero(candidates | no_neighbour));
       candidates &= candidates - 1;
     }
     const __m256d time = contact_times(approaches.of(numbers), sigmas.of(numbers));

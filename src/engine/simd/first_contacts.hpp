@@ -14,7 +14,7 @@ namespace zenosphere {
 /// contact() does for one. Only where has_wide_lanes().
 ///
 /// \param neighbours  three more, of any spheres, have to follow the last
-/// \param images      of each Way, at remainder 0
+/// \param images      of each PeriodicImage, at remainder 0
 /// \return nothing where it takes a look at each one: of overlaps, equal times, long lists
 template <int Dim>
 std::optional<FirstContacts<double>> first_contacts_wide(const Sphere<Dim, double>* spheres,

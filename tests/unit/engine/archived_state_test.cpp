@@ -114,7 +114,7 @@ TYPED_TEST(ArchivedState, SpheresThatFallBetweenWallsGoOnBitForBit) {
   this->expect_same_future(TypeParam::box(8, 0, true), OverlapRule::immediate, surroundings);
 }
 
-// One that goes on from an archive has fetched nothing yet, and is asked to fetch more.
+// One that goes on from an archive has prefetched nothing yet, and is asked to prefetch more.
 TEST(LargeSystem, WhatIsFetchedAheadLeavesNoTrace) {
   using Gas = Simulation<3, double>;
   constexpr std::int32_t spheres = 4 * 18 * 18 * 18;
@@ -128,7 +128,7 @@ TEST(LargeSystem, WhatIsFetchedAheadLeavesNoTrace) {
   ArchiveReader archive(bytes);
   Gas again(box, rules, {}, archive);
   const std::vector<double> observed(spheres);
-  again.fetch_too(observed.data(), sizeof observed.front());
+  again.prefetch_too(observed.data(), sizeof observed.front());
   run(gas, 2 * spheres);
   run(again, 2 * spheres);
   EXPECT_EQ(archived(again), archived(gas));

@@ -43,7 +43,7 @@ class Reference {
     return lowest;
   }
 
-  void set_back(double span) {
+  void shift_times(double span) {
     events_.clear();
     for (std::size_t id = 0; id < times_.size(); ++id) {
       times_[id] -= span;
@@ -93,8 +93,8 @@ void compare_random_operations(std::int32_t size, int operations, std::uint64_t 
     calendar.schedule(id, time);
     reference.schedule(id, time);
     if (dice.below(1000) == 0) {
-      calendar.set_back(0.75);
-      reference.set_back(0.75);
+      calendar.shift_times(0.75);
+      reference.shift_times(0.75);
       now -= 0.75;
     }
     if (dice.below(3) == 0) continue;
@@ -212,12 +212,12 @@ TEST(Calendar, SetBackMovesEveryEventAndNoInfinity) {
   calendar.schedule(0, 1.5);
   calendar.schedule(1, 1.25);
   EXPECT_EQ(calendar.earliest(), 1);
-  calendar.set_back(1);
+  calendar.shift_times(1);
   EXPECT_EQ(calendar.time(0), 0.5);
   EXPECT_EQ(calendar.time(1), 0.25);
   EXPECT_EQ(calendar.time(2), kNever);
   EXPECT_EQ(calendar.earliest(), 1);
-  calendar.schedule(2, 0.125);  // before the times that were current when the clock was set back
+  calendar.schedule(2, 0.125);  // before the times that were current when they were shifted
   EXPECT_EQ(calendar.earliest(), 2);
 }
 

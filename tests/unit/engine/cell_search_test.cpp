@@ -18,7 +18,7 @@ namespace {
 
 using Cells = SlidingCells<3>;
 using Search = CellSearch<3>;
-/// Spheres, each on its way there.
+/// Spheres, each in its image.
 using Seen = std::multiset<std::uint32_t>;
 
 constexpr Steps<3> kShape{7, 4, 5};
@@ -158,17 +158,19 @@ TEST(CellSearch, FindsTheWayOnWhichASphereIsSeen) {
   for (const Flow& flow : kFlows) {
     const Crowd crowd(flow);
     for_each_cell(crowd, [&](const Steps<3>& home) {
-      std::size_t ways = 0;
+      std::size_t image_count = 0;
       for (const Neighbour neighbour : crowd.search.around(crowd.cells, home)) {
         const auto cell = crowd.cell_of[static_cast<std::size_t>(neighbour.sphere())];
-        const auto way = crowd.search.way(crowd.cells, home, crowd.cells.coordinates(cell));
-        ASSERT_TRUE(way);
-        EXPECT_EQ(*way, neighbour.way());
+        const auto periodic_image =
+            crowd.search.periodic_image(crowd.cells, home, crowd.cells.coordinates(cell));
+        ASSERT_TRUE(periodic_image);
+        EXPECT_EQ(*periodic_image, neighbour.periodic_image());
       }
       for (const auto cell : crowd.cell_of) {
-        ways += crowd.search.way(crowd.cells, home, crowd.cells.coordinates(cell)) ? 1 : 0;
+        image_count +=
+            crowd.search.periodic_image(crowd.cells, home, crowd.cells.coordinates(cell)) ? 1 : 0;
       }
-      EXPECT_EQ(ways, crowd.around(home).size());
+      EXPECT_EQ(image_count, crowd.around(home).size());
     });
   }
 }

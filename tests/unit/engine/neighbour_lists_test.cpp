@@ -35,8 +35,9 @@ void expect_agreement_with_sets(int spheres, int neighbours, int times) {
     std::map<std::int32_t, Neighbour> chosen;
     for (int k = dice.below(neighbours + 1); k > 0; --k) {
       const std::int32_t j = dice.below(spheres);
-      const Way way(Steps<3>{dice.below(3) - 1, 0, dice.below(2)}, dice.below(3) - 1);
-      if (j != i) chosen.emplace(j, Neighbour(j, way));
+      const PeriodicImage periodic_image(Steps<3>{dice.below(3) - 1, 0, dice.below(2)},
+                                         dice.below(3) - 1);
+      if (j != i) chosen.emplace(j, Neighbour(j, periodic_image));
     }
     std::vector<Neighbour> now;
     Set expected_new;
@@ -57,7 +58,7 @@ void expect_agreement_with_sets(int spheres, int neighbours, int times) {
     now = with_room(now);
     const std::span<Neighbour> all = std::span(now).first(count);
     const NeighbourLists::Changes changes = lists.changes(i, all);
-    lists.fetch(i, all, changes);
+    lists.prefetch(i, all, changes);
     lists.replace(i, all, changes);
     Set found_new;
     for (std::size_t k = 0; k < changes.fresh; ++k) found_new.insert(now[k].packed());
@@ -81,8 +82,8 @@ TEST(NeighbourLists, AgreeWithSetsWhereListsAreLongerThanAWord) {
 
 TEST(NeighbourLists, TellWhereANeighbourStandsOnEveryWay) {
   NeighbourLists lists(4, 10);
-  const Way there(Steps<3>{1, 0, 0}, 0);
-  lists.add(0, {2, Way()});
+  const PeriodicImage there(Steps<3>{1, 0, 0}, 0);
+  lists.add(0, {2, PeriodicImage()});
   lists.add(0, {1, there});
   lists.add(0, {2, there});
   EXPECT_EQ(lists.places(0, 2), 0b101u);
@@ -93,18 +94,18 @@ TEST(NeighbourLists, TellWhereANeighbourStandsOnEveryWay) {
 
 TEST(NeighbourLists, TurnWithTheLayers) {
   NeighbourLists lists(2, 10);
-  const Way above(Steps<3>{-1, 0, 0}, 1);
+  const PeriodicImage above(Steps<3>{-1, 0, 0}, 1);
   lists.add(0, {1, above});
   lists.turn();
-  EXPECT_EQ(lists.of(0)[0].way(), above.after_whole_turn());
-  EXPECT_EQ(lists.of(1)[0].way(), above.after_whole_turn().reversed());
+  EXPECT_EQ(lists.of(0)[0].periodic_image(), above.after_whole_turn());
+  EXPECT_EQ(lists.of(1)[0].periodic_image(), above.after_whole_turn().reversed());
 }
 
 TEST(NeighbourLists, AreAsLongAsTheyHaveToBe) {
   NeighbourLists lists(400, 1);
-  for (std::int32_t j = 1; j < 400; ++j) lists.add(0, {j, Way()});
+  for (std::int32_t j = 1; j < 400; ++j) lists.add(0, {j, PeriodicImage()});
   ASSERT_EQ(lists.of(0).size(), 399u);
-  for (std::int32_t j = 1; j < 400; ++j) EXPECT_EQ(lists.of(j)[0], Neighbour(0, Way()));
+  for (std::int32_t j = 1; j < 400; ++j) EXPECT_EQ(lists.of(j)[0], Neighbour(0, PeriodicImage()));
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ TEST(Meeting, TellsWhatItWasMadeOf) {
   EXPECT_EQ(meeting.time, 2.5);
   EXPECT_EQ(meeting.partner(), 16'777'216);
   EXPECT_EQ(meeting.partner_collisions, 9u);
-  EXPECT_TRUE(meeting.is_with_anybody());
+  EXPECT_TRUE(meeting.has_partner());
   EXPECT_TRUE(meeting.is_overlap());
   EXPECT_FALSE(at(1, 0).is_overlap());
-  EXPECT_TRUE(at(1, 0).is_with_anybody());
-  EXPECT_FALSE(Meeting<double>().is_with_anybody());
+  EXPECT_TRUE(at(1, 0).has_partner());
+  EXPECT_FALSE(Meeting<double>().has_partner());
 }
 
 TEST(Meeting, TakesTwoToHalfALineOfTheCache) { EXPECT_EQ(sizeof(NextMeetings<double>), 32u); }
@@ -52,7 +52,7 @@ TEST(NextMeetings, AreAllAsLongAsNoneWasLeftOut) {
   EXPECT_TRUE(next.is_all());
   next.drop_first();
   EXPECT_EQ(next.first().partner(), 4);
-  EXPECT_FALSE(next.second().is_with_anybody());
+  EXPECT_FALSE(next.second().has_partner());
   EXPECT_TRUE(next.is_all());
   next.add(at(3, 6));
   EXPECT_EQ(next.second().partner(), 6);
@@ -87,7 +87,7 @@ TEST(NextMeetings, TakeNoSecondWhereAThirdMayComeBeforeIt) {
   next.drop_first();  // the third, which is not known, comes now
   next.add(at(9, 6));
   EXPECT_EQ(next.first().partner(), 5);
-  EXPECT_FALSE(next.second().is_with_anybody());
+  EXPECT_FALSE(next.second().has_partner());
   EXPECT_FALSE(next.is_all());
   next.add(at(1.5, 7));
   EXPECT_EQ(next.first().partner(), 7);

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "engine/settling.hpp"
+#include "engine/list_range.hpp"
 #include "engine/spheres.hpp"
 #include "support/gas.hpp"
 
@@ -31,7 +31,7 @@ class SizedBox {
       : dice_(seed),
         cells_(sides()),
         radii_(radii_of(count, 0.08, dice_)),
-        anchors_(cells_, grid(), radii_) {
+        places_before_(cells_, grid(), radii_) {
     cells_.slide_to(whole_slide);
     for (std::int32_t i = 0; i < count; ++i) {
       cell_of_.push_back(dice_.below(cells_.count()));
@@ -41,16 +41,16 @@ class SizedBox {
   }
 
   std::set<std::int32_t> found_by(std::int32_t i, int slid, int slide) {
-    anchors_.remove(i, cell(i), anchor(i));
+    places_before_.remove(i, cell(i), reference(i));
     std::vector<Neighbour> nearby;
-    const auto near = anchors_.find(cells_,
-                                    {.sphere = i,
-                                     .home = cells_.coordinates(cell(i)),
-                                     .place = anchor(i).place,
-                                     .slid = {-slid, 0, slid},
-                                     .slide = slide,
-                                     .beyond = beyond},
-                                    nearby);
+    const auto near = places_before_.find(cells_,
+                                          {.sphere = i,
+                                           .home = cells_.coordinates(cell(i)),
+                                           .place = reference(i).place,
+                                           .slid = {-slid, 0, slid},
+                                           .slide = slide,
+                                           .beyond = beyond},
+                                          nearby);
     std::set<std::int32_t> found;
     for (const Neighbour neighbour : near) EXPECT_TRUE(found.insert(neighbour.sphere()).second);
     insert(i);
@@ -70,7 +70,7 @@ class SizedBox {
       if (std::abs(layers) > 1) continue;
       double square = 0;
       for (std::size_t axis = 0; axis < Dim; ++axis) {
-        double along = steps[axis] * grains + anchor(j).place[axis] - anchor(i).place[axis];
+        double along = steps[axis] * grains + reference(j).place[axis] - reference(i).place[axis];
         if (axis == 0) {
           // The nearest image of a row of seven cells.
           along = std::remainder(along + layers * slid, sides()[0] * grains);
@@ -85,7 +85,7 @@ class SizedBox {
   }
 
   void move(std::int32_t i) {
-    anchors_.remove(i, cell(i), anchor(i));
+    places_before_.remove(i, cell(i), reference(i));
     cell_of_[static_cast<std::size_t>(i)] = dice_.below(cells_.count());
     anchor_of_[static_cast<std::size_t>(i)] = somewhere();
     insert(i);
@@ -106,24 +106,26 @@ class SizedBox {
     for (const int side : sides()) grid.volume *= side * grains * grain;
     return grid;
   }
-  Anchor somewhere() {
-    Anchor anchor;
+  ReferencePosition somewhere() {
+    ReferencePosition reference;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      anchor.place[axis] = static_cast<std::int16_t>(dice_.below(grains + 1));
+      reference.place[axis] = static_cast<std::int16_t>(dice_.below(grains + 1));
     }
-    return anchor;
+    return reference;
   }
-  void insert(std::int32_t i) { anchors_.insert(i, cell(i), anchor(i)); }
+  void insert(std::int32_t i) { places_before_.insert(i, cell(i), reference(i)); }
   std::int32_t cell(std::int32_t i) const { return cell_of_[static_cast<std::size_t>(i)]; }
-  const Anchor& anchor(std::int32_t i) const { return anchor_of_[static_cast<std::size_t>(i)]; }
+  const ReferencePosition& reference(std::int32_t i) const {
+    return anchor_of_[static_cast<std::size_t>(i)];
+  }
   double radius(std::int32_t i) const { return radii_[static_cast<std::size_t>(i)]; }
 
   support::Dice dice_;
   SlidingCells<Dim> cells_;
   std::vector<double> radii_;
-  SizedAnchors<Dim> anchors_;
+  SizedAnchors<Dim> places_before_;
   std::vector<std::int32_t> cell_of_;
-  std::vector<Anchor> anchor_of_;
+  std::vector<ReferencePosition> anchor_of_;
 };
 
 /// Nobody who is near is missed, and only what rounding lets seem so is taken besides.

@@ -27,14 +27,16 @@ TEST(SlidingCells, CoordinatesAndNumbersAgree) {
   }
 }
 
-/// The lag of a cell, found on a way, behind the place that is so many steps away.
+/// The lag of a cell, found in an image, behind the place that is so many steps away.
 Steps<3> missing(const Cells& cells, const Steps<3>& shape, const Steps<3>& home, std::int32_t cell,
-                 Way way, const Steps<3>& steps) {
+                 PeriodicImage periodic_image, const Steps<3>& steps) {
   Steps<3> missing = cells.coordinates(cell);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    missing[axis] += way.periods(static_cast<int>(axis)) * shape[axis] - home[axis] - steps[axis];
+    missing[axis] +=
+        periodic_image.periods(static_cast<int>(axis)) * shape[axis] - home[axis] - steps[axis];
   }
-  missing[0] += way.layers() * cells.whole_slide() + way.periods(1) * cells.whole_offset();
+  missing[0] += periodic_image.layers() * cells.whole_slide() +
+                periodic_image.periods(1) * cells.whole_offset();
   return missing;
 }
 
@@ -43,15 +45,16 @@ void expect_each_cell_around_once(const Cells& cells, const Steps<3>& shape) {
     const Steps<3> home = cells.coordinates(from);
     std::set<std::tuple<std::int32_t, std::int32_t>> found;
     std::set<Steps<3>> steps_found;
-    cells.for_each_run(home, kWide,
-                       [&](std::int32_t first, std::int32_t last, Way way, Steps<3> steps) {
-                         for (std::int32_t cell = first; cell <= last; ++cell, ++steps[0]) {
-                           ASSERT_EQ(missing(cells, shape, home, cell, way, steps), (Steps<3>{}));
-                           ASSERT_EQ(way.layers(), steps[1]);
-                           found.insert({cell, way.code()});
-                           steps_found.insert(steps);
-                         }
-                       });
+    cells.for_each_run(
+        home, kWide,
+        [&](std::int32_t first, std::int32_t last, PeriodicImage periodic_image, Steps<3> steps) {
+          for (std::int32_t cell = first; cell <= last; ++cell, ++steps[0]) {
+            ASSERT_EQ(missing(cells, shape, home, cell, periodic_image, steps), (Steps<3>{}));
+            ASSERT_EQ(periodic_image.layers(), steps[1]);
+            found.insert({cell, periodic_image.code()});
+            steps_found.insert(steps);
+          }
+        });
     ASSERT_EQ(found.size(), 3u * (5 + 3 + 5));
     ASSERT_EQ(steps_found.size(), found.size());
   }
@@ -74,27 +77,30 @@ TEST(SlidingCells, HaveNoLayersOnALine) {
   const SlidingCells<1> cells({4});
   std::vector<std::int32_t> found;
   cells.for_each_run({0}, {{{-1, 1}, {-1, 1}, {-1, 1}}},
-                     [&](std::int32_t first, std::int32_t last, Way, const Steps<1>&) {
+                     [&](std::int32_t first, std::int32_t last, PeriodicImage, const Steps<1>&) {
                        for (std::int32_t cell = first; cell <= last; ++cell) found.push_back(cell);
                      });
   EXPECT_EQ(found, (std::vector<std::int32_t>{3, 0, 1}));
 }
 
-TEST(Way, BackIsTheReverse) {
-  const Way way(Steps<3>{3, -1, 1}, -1);
-  EXPECT_EQ(way.reversed(), Way(Steps<3>{-3, 1, -1}, 1));
-  EXPECT_EQ(way.reversed().reversed(), way);
-  EXPECT_EQ(Way().reversed(), Way());
-  EXPECT_EQ(way.periods(0), 3);
-  EXPECT_EQ(way.periods(1), -1);
-  EXPECT_EQ(way.periods(2), 1);
-  EXPECT_EQ(way.layers(), -1);
+TEST(PeriodicImage, OfTheOtherSphereIsTheReverse) {
+  const PeriodicImage periodic_image(Steps<3>{3, -1, 1}, -1);
+  EXPECT_EQ(periodic_image.reversed(), PeriodicImage(Steps<3>{-3, 1, -1}, 1));
+  EXPECT_EQ(periodic_image.reversed().reversed(), periodic_image);
+  EXPECT_EQ(PeriodicImage().reversed(), PeriodicImage());
+  EXPECT_EQ(periodic_image.periods(0), 3);
+  EXPECT_EQ(periodic_image.periods(1), -1);
+  EXPECT_EQ(periodic_image.periods(2), 1);
+  EXPECT_EQ(periodic_image.layers(), -1);
 }
 
-TEST(Way, AfterAWholeTurnLeadsThroughOneMoreBox) {
-  EXPECT_EQ(Way(Steps<3>{-1, 1, 0}, 1).after_whole_turn(), Way(Steps<3>{0, 1, 0}, 1));
-  EXPECT_EQ(Way(Steps<3>{1, 0, 1}, -1).after_whole_turn(), Way(Steps<3>{0, 0, 1}, -1));
-  EXPECT_EQ(Way(Steps<3>{1, 0, 1}, 0).after_whole_turn(), Way(Steps<3>{1, 0, 1}, 0));
+TEST(PeriodicImage, AfterAWholeTurnLeadsThroughOneMoreBox) {
+  EXPECT_EQ(PeriodicImage(Steps<3>{-1, 1, 0}, 1).after_whole_turn(),
+            PeriodicImage(Steps<3>{0, 1, 0}, 1));
+  EXPECT_EQ(PeriodicImage(Steps<3>{1, 0, 1}, -1).after_whole_turn(),
+            PeriodicImage(Steps<3>{0, 0, 1}, -1));
+  EXPECT_EQ(PeriodicImage(Steps<3>{1, 0, 1}, 0).after_whole_turn(),
+            PeriodicImage(Steps<3>{1, 0, 1}, 0));
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ std::vector<Vec<3, double>> images(const Vec<3, double>& sides) {
   return all;
 }
 
-/// Every pair whose anchors are so near that they can touch while their lists last, on every way.
+/// Every pair whose reference positions are so near that they can touch while their lists last, in
+/// every image.
 TEST(Spheres, ListWhomTheyCanTouch) {
   for (const double shear_rate : {0.0, 1.0}) {
     for (const double side : {2.1, 3.7, 6.3}) {
@@ -50,9 +51,9 @@ TEST(Spheres, ListWhomTheyCanTouch) {
       const ShearBox<3, double> box(sides, shear_rate);
       const int count = static_cast<int>(0.3 * side * side * side);
       const auto start = support::random_gas(count, sides, 1, 3);
-      const Settling settling = settling_in(box, count);
+      const ListRange list_range = list_range_in(box, count);
       const Spheres<3, double> spheres(box, start, {});
-      const double distance = 1 + 2 * settling.reach;
+      const double distance = 1 + 2 * list_range.reach;
       for (std::int32_t i = 0; i < count; ++i) {
         std::multiset<std::int32_t> expected;
         for (std::int32_t j = 0; j < count; ++j) {
@@ -79,16 +80,18 @@ class FlyingRods {
  public:
   FlyingRods(int count, double apart)
       : box({count * apart}, 0, 3),
-        settling(settling_in(box, count)),
+        list_range(list_range_in(box, count)),
         rods(box, start(count), {}) {}
 
-  double unsettled_at(std::int32_t i, double when) const {
-    return rods.unsettled_at(i, when, never);
+  double rebuild_time(std::int32_t i, double when) const {
+    return rods.rebuild_time(i, when, never);
   }
-  void settle(std::int32_t i, double when, double meeting) { rods.settle(i, when, meeting); }
+  void rebuild_list(std::int32_t i, double when, double meeting) {
+    rods.rebuild_list(i, when, meeting);
+  }
 
   const ShearBox<1, double> box;
-  const Settling settling;
+  const ListRange list_range;
   Spheres<1, double> rods;
 
  private:
@@ -102,43 +105,43 @@ class FlyingRods {
   }
 };
 
-TEST(Spheres, HaveToBeSettledAgainWhereTheyLeaveTheirBall) {
+TEST(Spheres, GetANewListWhereTheyLeaveTheirBall) {
   FlyingRods ring(20, 1.5);
-  const double reach = ring.settling.reach;
-  EXPECT_NEAR(ring.unsettled_at(0, 0), reach / 2, 1e-3);
-  ring.settle(19, 1.2, never);  // 29.5 + 2.4 is through the face
+  const double reach = ring.list_range.reach;
+  EXPECT_NEAR(ring.rebuild_time(0, 0), reach / 2, 1e-3);
+  ring.rebuild_list(19, 1.2, never);  // 29.5 + 2.4 is through the face
   EXPECT_NEAR(ring.rods.position_at(ring.rods[19], 1.2)[0], 1.9, 1e-14);
   EXPECT_EQ(ring.rods[19].position[0], -0.5);  // stored for time 0, as before
-  EXPECT_NEAR(ring.unsettled_at(19, 1.2), 1.2 + reach / 2, 1e-3);
+  EXPECT_NEAR(ring.rebuild_time(19, 1.2), 1.2 + reach / 2, 1e-3);
 }
 
 TEST(Spheres, StayInTheirBallForLongerWhereTheyAreManyAndFarApart) {
   FlyingRods ring(100, 6);
-  ASSERT_TRUE(ring.settling.is_dilute);
-  const double reach = ring.settling.reach;
+  ASSERT_TRUE(ring.list_range.is_dilute);
+  const double reach = ring.list_range.reach;
   // Through the middle of the ball, if there is no sphere; else to where they meet, and no further.
-  ring.settle(2, 1.2, never);
-  EXPECT_NEAR(ring.unsettled_at(2, 1.2), 1.2 + 1.9 * reach / 2, 1e-3);
-  ring.settle(2, 1.2, 1.3);
-  EXPECT_NEAR(ring.unsettled_at(2, 1.2), 1.3 + reach / 2, 1e-3);
-  ring.settle(2, 1.2, 1.1);  // a meeting that is late by rounding
-  EXPECT_NEAR(ring.unsettled_at(2, 1.2), 1.2 + reach / 2, 1e-3);
-  EXPECT_FALSE(FlyingRods(99, 6).settling.is_dilute);
-  EXPECT_FALSE(FlyingRods(100, 1.5).settling.is_dilute);
+  ring.rebuild_list(2, 1.2, never);
+  EXPECT_NEAR(ring.rebuild_time(2, 1.2), 1.2 + 1.9 * reach / 2, 1e-3);
+  ring.rebuild_list(2, 1.2, 1.3);
+  EXPECT_NEAR(ring.rebuild_time(2, 1.2), 1.3 + reach / 2, 1e-3);
+  ring.rebuild_list(2, 1.2, 1.1);  // a meeting that is late by rounding
+  EXPECT_NEAR(ring.rebuild_time(2, 1.2), 1.2 + reach / 2, 1e-3);
+  EXPECT_FALSE(FlyingRods(99, 6).list_range.is_dilute);
+  EXPECT_FALSE(FlyingRods(100, 1.5).list_range.is_dilute);
 }
 
 TEST(Spheres, BelongToTheCellOfTheirAnchor) {
   FlyingRods ring(100, 6);
-  ring.settle(99, 2.2, never);  // at 599.4, and soon through the face
+  ring.rebuild_list(99, 2.2, never);  // at 599.4, and soon through the face
   EXPECT_EQ(ring.rods[99].cell, 0);
   EXPECT_NEAR(ring.rods.position_at(ring.rods[99], 2.2)[0], -0.6, 1e-12);
   EXPECT_NEAR(ring.rods.configuration(0, 2.2).positions[99][0], 599.4, 1e-12);
 }
 
-TEST(Spheres, AreSettledAnewHalfAUnitOfShearLater) {
+TEST(Spheres, GetANewListHalfAUnitOfShearLater) {
   const ShearBox<2, double> box({20, 20}, 0.5, 2);
   const Spheres<2, double> spheres(box, {{{5, 10}}, {{0, 0}}}, {});
-  EXPECT_NEAR(spheres.unsettled_at(0, 0, never), box.clock_unit() / 2, 1e-6);
+  EXPECT_NEAR(spheres.rebuild_time(0, 0, never), box.clock_unit() / 2, 1e-6);
 }
 
 TEST(Spheres, KeepAPlaceBeyondAWallOnTheWall) {
@@ -153,9 +156,9 @@ TEST(Spheres, SeeNobodyBeyondTheWallsHoweverNarrowTheBox) {
   const Configuration<2, double> start{{{0.6, 10}, {0.6, 14}, {0.6, 500}},
                                        {{0, 0}, {0, 0}, {0, 0}}};
   const Spheres<2, double> spheres(strip, start, {});
-  ASSERT_GT(settling_in(strip, 3).distance, 7 * strip.cell_width()[0]);
+  ASSERT_GT(list_range_in(strip, 3).distance, 7 * strip.cell_width()[0]);
   ASSERT_EQ(spheres.neighbours(0).size(), 1u);
-  EXPECT_EQ(spheres.neighbours(0)[0], Neighbour(1, Way()));
+  EXPECT_EQ(spheres.neighbours(0)[0], Neighbour(1, PeriodicImage()));
   EXPECT_EQ(spheres.neighbours(2).size(), 0u);
 }
 

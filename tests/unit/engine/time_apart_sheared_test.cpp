@@ -15,7 +15,7 @@ template <int Dim>
 double first_contact(const ShearedFlight<Dim>& flight, double longest) {
   constexpr double step = 1e-3;
   for (double time = 0; time < longest; time += step) {
-    Vec<Dim, double> place = flight.way + flight.velocity * time;
+    Vec<Dim, double> place = flight.displacement + flight.velocity * time;
     const double boxes = std::round(place[1] / flight.sides[1]);
     place[1] -= boxes * flight.sides[1];
     place[0] -= boxes * (flight.offset + flight.slide * time);
@@ -35,7 +35,7 @@ ShearedFlight<Dim> random_flight(std::mt19937_64& random) {
   for (int axis = 0; axis < Dim; ++axis) {
     const double side = 6 + 6 * unit(random);
     flight.sides[static_cast<std::size_t>(axis)] = side;
-    flight.way[axis] = side * (unit(random) - 0.5);
+    flight.displacement[axis] = side * (unit(random) - 0.5);
     flight.velocity[axis] = 2 * unit(random) - 1;
   }
   flight.offset = flight.sides[0] * (unit(random) - 0.5);
@@ -50,7 +50,7 @@ void expect_agreement() {
   int contacts = 0, misses = 0, told = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const auto flight = random_flight<Dim>(random);
-    if (dot(flight.way, flight.way) < 1.2) continue;
+    if (dot(flight.displacement, flight.displacement) < 1.2) continue;
     const double expected = first_contact(flight, longest);
     const double apart = time_apart_sheared(flight, longest);
     EXPECT_LE(apart, expected) << trial;

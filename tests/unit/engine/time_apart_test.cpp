@@ -19,7 +19,7 @@ double first_contact(const StraightFlight<Dim>& flight, double longest) {
   double first = open;
   const double step = 0.4 / std::sqrt(v2);
   for (double time = 0; time < longest && first == open; time += step) {
-    Vec<Dim, double> place = flight.way + flight.velocity * time;
+    Vec<Dim, double> place = flight.displacement + flight.velocity * time;
     for (int axis = 0; axis < Dim; ++axis) {
       const double period = flight.periods[static_cast<std::size_t>(axis)];
       if (std::isfinite(period)) place[axis] -= period * std::round(place[axis] / period);
@@ -41,10 +41,10 @@ StraightFlight<Dim> random_flight(std::mt19937_64& random, double slant, bool is
     for (int axis = 0; axis < Dim; ++axis) {
       const double side = 5 + 10 * unit(random);
       flight.periods[static_cast<std::size_t>(axis)] = side;
-      flight.way[axis] = side * (unit(random) - 0.5);
+      flight.displacement[axis] = side * (unit(random) - 0.5);
       flight.velocity[axis] = (unit(random) - 0.5) * (axis > 0 ? slant : 1);
     }
-  } while (dot(flight.way, flight.way) < 1.1);
+  } while (dot(flight.displacement, flight.displacement) < 1.1);
   if (is_closed) flight.periods[Dim - 1] = open;
   flight.speed = std::sqrt(dot(flight.velocity, flight.velocity));
   return flight;
@@ -86,7 +86,7 @@ TEST(TimeApart, CrossesMillionsOfBoxesInOneStep) {
   // plane is that of a multiple of 10.
   const double time = time_apart<2>({{5, 5}, {-1, -1e-7}, 1, {10, 10}}, open, 100);
   EXPECT_NEAR(time, 4e7, 10);
-  // The last of the way is told from a miss by fewer diameters: 4e12 in steps.
+  // The last of the distance is told from a miss by fewer diameters: 4e12 in steps.
   EXPECT_GT(time_apart<2>({{5, 1 + 1e-4}, {-1, -1e-12}, 1, {10, 10}}, open, 100), 1e6);
   // Across by 4 along z for good.
   EXPECT_GT(time_apart<3>({{5, 5, 4}, {1, 1e-8, 0}, 1, {10, 10, 10}}, open, 100), 1e11);

@@ -18,7 +18,7 @@
 namespace zenosphere {
 namespace {
 
-constexpr int some_ways = 135;  // of Way::count
+constexpr int some_images = 135;  // of PeriodicImage::count
 
 /// Same bits: -0 differs from 0.
 bool are_same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
@@ -50,10 +50,10 @@ class FirstContactsFourAtATime : public ::testing::Test {
 
   /// Of any spheres, some of which have the very same motion; with three to spare.
   std::vector<Neighbour> some_neighbours(int count) {
-    const int ways = dice.below(2) == 0 ? 1 : some_ways;
+    const int image_count = dice.below(2) == 0 ? 1 : some_images;
     std::vector<Neighbour> neighbours;
     for (int k = 0; k < count + 3; ++k) {
-      neighbours.emplace_back(dice.below(60), Way::from_code(dice.below(ways)));
+      neighbours.emplace_back(dice.below(60), PeriodicImage::from_code(dice.below(image_count)));
     }
     return neighbours;
   }
@@ -66,12 +66,12 @@ class FirstContactsFourAtATime : public ::testing::Test {
   /// What contact() says of a neighbour.
   std::optional<Contact<double>> contact_with(Neighbour neighbour) const {
     const auto& sphere = spheres[static_cast<std::size_t>(neighbour.sphere())];
-    const auto& image = images[static_cast<std::size_t>(neighbour.way().code())];
+    const auto& image = images[static_cast<std::size_t>(neighbour.periodic_image().code())];
     return contact(support::motion_seen(here, sphere, image));
   }
 
   support::Dice dice{11};
-  std::vector<Image<Dim, double>> images = std::vector<Image<Dim, double>>(some_ways);
+  std::vector<Image<Dim, double>> images = std::vector<Image<Dim, double>>(some_images);
   std::vector<Sphere<Dim, double>> spheres;
   Viewpoint<Dim, double> here{some_vector(0.4), some_vector(0.4), 1.25};
 };
@@ -122,7 +122,7 @@ TYPED_TEST(FirstContactsFourAtATime, LeaveLongListsAlone) {
   EXPECT_FALSE(this->found(this->some_neighbours(61)));
 }
 
-TYPED_TEST(FirstContactsFourAtATime, OfNobodyAreNone) {
+TYPED_TEST(FirstContactsFourAtATime, OfNoNeighboursAreNone) {
   const auto two = this->found(this->some_neighbours(0));
   ASSERT_TRUE(two);
   EXPECT_EQ(two->meetings, 0);

@@ -1,4 +1,4 @@
-#include "engine/anchor_cells.hpp"
+#include "engine/reference_cells.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -16,12 +16,12 @@ namespace zenosphere {
 
 namespace {
 
-using Chunk = AnchorCells::Chunk;
+using Chunk = ReferenceCells::Chunk;
 
 constexpr std::int32_t free_place = -1;
 constexpr std::int16_t far_away = std::numeric_limits<std::int16_t>::max();
 // A search looks from at most four cells away, and up to one cell and a quarter beside the place.
-static_assert(far_away - 4 * AnchorCells::grains_a_cell > 5 * AnchorCells::grains_a_cell / 4);
+static_assert(far_away - 4 * ReferenceCells::grains_a_cell > 5 * ReferenceCells::grains_a_cell / 4);
 
 constexpr Chunk empty_chunk() {
   Chunk chunk{};
@@ -51,13 +51,13 @@ const Chunk* next_of(const Chunk& chunk, const Chunk* further) {
   return chunk.next >= 0 ? further + chunk.next : nullptr;
 }
 
-std::span<const Chunk> cells_of(const AnchorCells::Row& row, const Chunk* chunks) {
+std::span<const Chunk> cells_of(const ReferenceCells::Row& row, const Chunk* chunks) {
   return {chunks + row.first, chunks + row.last + 1};
 }
 
 /// Up to which distance a sphere counts, squared: grains^2.
-int square_of_reach(const AnchorCells::Range& range, std::int32_t) { return range.square; }
-int square_of_reach(const AnchorCells::SizedRange& range, std::int32_t label) {
+int square_of_reach(const ReferenceCells::Range& range, std::int32_t) { return range.square; }
+int square_of_reach(const ReferenceCells::SizedRange& range, std::int32_t label) {
   const int reach = range.reach + ((label >> Neighbour::sphere_bits) << range.shift);
   return reach * reach;
 }
@@ -65,7 +65,7 @@ int square_of_reach(const AnchorCells::SizedRange& range, std::int32_t label) {
 /// Writes those in a row of cells that are within range. Chunks that a cell has beside its own are
 /// among the `further` ones.
 template <class Range>
-Neighbour* find_in(const AnchorCells::Row& row, const Range& range, const Chunk* chunks,
+Neighbour* find_in(const ReferenceCells::Row& row, const Range& range, const Chunk* chunks,
                    const Chunk* further, Neighbour* found) {
   int x = row.place[0];
   for (const Chunk& first : cells_of(row, chunks)) {
@@ -77,7 +77,7 @@ Neighbour* find_in(const AnchorCells::Row& row, const Range& range, const Chunk*
         const std::int32_t label = chunk->label[k];
         if (label == free_place) break;
         if (dx * dx + dy * dy + dz * dz < square_of_reach(range, label)) {
-          *found++ = Neighbour(label & Neighbour::sphere_mask, row.way);
+          *found++ = Neighbour(label & Neighbour::sphere_mask, row.periodic_image);
         }
       }
     }
@@ -107,9 +107,9 @@ template <class Range>
 class WideLimit;
 
 template <>
-class WideLimit<AnchorCells::Range> {
+class WideLimit<ReferenceCells::Range> {
  public:
-  ZENOSPHERE_WIDE explicit WideLimit(const AnchorCells::Range& range)
+  ZENOSPHERE_WIDE explicit WideLimit(const ReferenceCells::Range& range)
       : square_(_mm256_set1_epi32(range.square)) {}
   /// The sign bit of those that are within range.
   ZENOSPHERE_WIDE __m256i exceeds(__m256i square, __m256i) const {
@@ -123,9 +123,9 @@ class WideLimit<AnchorCells::Range> {
 
 /// The labels of free places are negative: their codes are none.
 template <>
-class WideLimit<AnchorCells::SizedRange> {
+class WideLimit<ReferenceCells::SizedRange> {
  public:
-  ZENOSPHERE_WIDE explicit WideLimit(const AnchorCells::SizedRange& range)
+  ZENOSPHERE_WIDE explicit WideLimit(const ReferenceCells::SizedRange& range)
       : reach_(_mm256_set1_epi32(range.reach)), shift_(_mm_cvtsi32_si128(range.shift)) {}
   ZENOSPHERE_WIDE __m256i exceeds(__m256i square, __m256i labels) const {
     const __m256i codes = _mm256_srli_epi32(labels, Neighbour::sphere_bits);
@@ -145,7 +145,7 @@ class WideLimit<AnchorCells::SizedRange> {
 /// The same in several rows, a chunk at a time. It is read as if it had eight places; what is read
 /// at the last two belongs to its other members and counts for nothing.
 template <class Range>
-ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows, const Range& range,
+ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const ReferenceCells::Row> rows, const Range& range,
                                      const Chunk* chunks, const Chunk* further, Neighbour* found) {
   const auto pair = [](std::int16_t x, std::int16_t y) {
     return static_cast<int>(static_cast<std::uint16_t>(x) |
@@ -154,11 +154,12 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows, con
   const __m256i next_cell = _mm256_set1_epi32(pair(range.cell_width, 0));
   const WideLimit<Range> limit(range);
   constexpr unsigned all_places = (1u << Chunk::places) - 1;
-  for (const AnchorCells::Row& row : rows) {
+  for (const ReferenceCells::Row& row : rows) {
     __m256i here = _mm256_set1_epi32(pair(row.place[0], row.place[1]));
     const __m128i here_z = _mm_set1_epi16(row.place[2]);
     const __m256i slide = _mm256_set1_epi32(pair(row.slide, 0));
-    const __m256i way = _mm256_set1_epi32(static_cast<int>(Neighbour(0, row.way).packed()));
+    const __m256i periodic_image =
+        _mm256_set1_epi32(static_cast<int>(Neighbour(0, row.periodic_image).packed()));
     for (const Chunk& first : cells_of(row, chunks)) {
       for (const Chunk* chunk = &first; chunk; chunk = next_of(*chunk, further)) {
         const auto at = [](const auto& member) { return reinterpret_cast<const __m256i*>(member); };
@@ -173,7 +174,7 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows, con
         const auto set = static_cast<unsigned>(_mm256_movemask_ps(
                              _mm256_castsi256_ps(limit.exceeds(square, labels)))) &
                          all_places;
-        const __m256i spheres = _mm256_or_si256(limit.spheres(labels), way);
+        const __m256i spheres = _mm256_or_si256(limit.spheres(labels), periodic_image);
         const __m256i order =
             _mm256_load_si256(reinterpret_cast<const __m256i*>(compressions.lanes[set]));
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
@@ -189,31 +190,32 @@ ZENOSPHERE_WIDE Neighbour* find_wide(std::span<const AnchorCells::Row> rows, con
 #endif
 
 template <class Range>
-Neighbour* find_rows(std::span<const AnchorCells::Row> rows, const Range& range,
+Neighbour* find_rows(std::span<const ReferenceCells::Row> rows, const Range& range,
                      const Chunk* chunks, const Chunk* further, Neighbour* found) {
 #ifdef ZENOSPHERE_HAS_WIDE_LANES
   if (has_wide_lanes()) return find_wide(rows, range, chunks, further, found);
 #endif
-  for (const AnchorCells::Row& row : rows) found = find_in(row, range, chunks, further, found);
+  for (const ReferenceCells::Row& row : rows) found = find_in(row, range, chunks, further, found);
   return found;
 }
 
 }  // namespace
 
-AnchorCells::AnchorCells(std::int32_t cells)
+ReferenceCells::ReferenceCells(std::int32_t cells)
     : chunks_(static_cast<std::size_t>(cells), empty_chunk()) {}
 
-Neighbour* AnchorCells::find(std::span<const Row> rows, const Range& range,
-                             Neighbour* found) const {
+Neighbour* ReferenceCells::find(std::span<const Row> rows, const Range& range,
+                                Neighbour* found) const {
   return find_rows(rows, range, chunks_.data(), further_.data(), found);
 }
 
-Neighbour* AnchorCells::find(std::span<const Row> rows, const SizedRange& range,
-                             Neighbour* found) const {
+Neighbour* ReferenceCells::find(std::span<const Row> rows, const SizedRange& range,
+                                Neighbour* found) const {
   return find_rows(rows, range, chunks_.data(), further_.data(), found);
 }
 
-void AnchorCells::insert(std::int32_t label, std::int32_t cell, const Anchor& anchor) {
+void ReferenceCells::insert(std::int32_t label, std::int32_t cell,
+                            const ReferencePosition& reference) {
   Chunk* last = &chunk(cell);
   std::size_t chunks = 1;
   for (; last->next >= 0; ++chunks) last = &further_[static_cast<std::size_t>(last->next)];
@@ -224,13 +226,13 @@ void AnchorCells::insert(std::int32_t label, std::int32_t cell, const Anchor& an
     longest_ = std::max(longest_, chunks + 1);
   }
   last->label[k] = label;
-  last->xy[k][0] = anchor.place[0];
-  last->xy[k][1] = anchor.place[1];
-  last->z[k] = anchor.place[2];
+  last->xy[k][0] = reference.place[0];
+  last->xy[k][1] = reference.place[1];
+  last->z[k] = reference.place[2];
 }
 
 /// The last sphere of the cell takes the free place.
-void AnchorCells::remove(std::int32_t label, std::int32_t cell) {
+void ReferenceCells::remove(std::int32_t label, std::int32_t cell) {
   Chunk* holder = nullptr;
   std::size_t place = 0;
   Chunk* before_last = nullptr;
@@ -258,7 +260,7 @@ void AnchorCells::remove(std::int32_t label, std::int32_t cell) {
 }
 
 /// Gives a cell, whose last chunk this is, one more.
-AnchorCells::Chunk& AnchorCells::append_to(Chunk& last) {
+ReferenceCells::Chunk& ReferenceCells::append_to(Chunk& last) {
   std::int32_t number = 0;
   if (unused_.empty()) {
     number = static_cast<std::int32_t>(further_.size());

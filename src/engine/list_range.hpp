@@ -8,17 +8,18 @@
 
 namespace zenosphere {
 
-/// How far and for how long a sphere may go until it is settled again.
-struct Settling {
+/// How far and for how long a sphere may go until its neighbour list is rebuilt.
+struct ListRange {
   double grain;        ///< unit of places within cells, diameters
-  double reach;        ///< from its anchor, diameters
-  double distance;     ///< of anchors, diameters: spheres further apart cannot touch
+  double reach;        ///< from its reference position, diameters
+  double distance;     ///< of reference positions, diameters: spheres further apart cannot touch
   int lists_a_cell;    ///< while layers slide by a cell, so many lists are needed one by one
   double window;       ///< time; infinite without shear
-  double expiry_unit;  ///< of Anchor::expires, time: a power of two about as long as the clock unit
+  double expiry_unit;  ///< of ReferencePosition::expires, time: a power of two about as long as the
+                       ///< clock unit
   double neighbours;   ///< on a list, where the spheres are spread evenly
   bool is_wide;    ///< as wide as the cells, while no sphere has more neighbours than most_alone
-  bool is_dilute;  ///< many spheres, most of which fly through their balls and meet nobody there
+  bool is_dilute;  ///< many spheres, most of which fly through their balls and meet no other there
 };
 
 /// How large spheres are, as far as cells and lists have to know.
@@ -44,14 +45,15 @@ inline constexpr std::int32_t most_alone = 400;
 inline constexpr std::int32_t most_beyond_face = 60;
 
 /// What suits so many spheres in a box that is cut into cells. Two spheres that may touch have
-/// anchors within the largest diameter + 2 reach, which no cell may be narrower than.
+/// reference positions within the largest diameter + 2 reach, which no cell may be narrower than.
 template <int Dim, class Real>
-Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes = {});
+ListRange list_range_in(const ShearBox<Dim, Real>& box, std::int32_t spheres,
+                        const Sizes& sizes = {});
 
 /// The same where they crowd together somewhere, however much room there is elsewhere.
 template <int Dim, class Real>
-Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
-                           const Sizes& sizes = {});
+ListRange list_range_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
+                              const Sizes& sizes = {});
 
 /// A box and what is in it.
 struct Filling {

@@ -6,32 +6,33 @@
 #include <span>
 #include <vector>
 
-#include "engine/anchor.hpp"
-#include "engine/fetching.hpp"
 #include "engine/huge_page_vector.hpp"
 #include "engine/neighbour_lists.hpp"
-#include "engine/way.hpp"
+#include "engine/periodic_image.hpp"
+#include "engine/prefetching.hpp"
+#include "engine/reference_position.hpp"
 
 namespace zenosphere {
 
-/// The anchors of the spheres, cell by cell, side by side as a search for neighbours reads them.
+/// The reference positions of the spheres, cell by cell, side by side as a search for neighbours
+/// reads them.
 ///
-/// An anchor need not be just where the sphere was, only known exactly. Places are counted in
-/// grains, of which the widest cell has `grains_a_cell` in a row: integers of 16 bits, whatever the
-/// size of the box.
-class AnchorCells {
+/// A reference position need not be just where the sphere was, only known exactly. Places are
+/// counted in grains, of which the widest cell has `grains_a_cell` in a row: integers of 16 bits,
+/// whatever the size of the box.
+class ReferenceCells {
  public:
   /// Five cells of them are within 16 bits, and so far from the end that free places are out of
   /// reach.
   static constexpr int grains_a_cell = 6000;
 
-  /// Cells that follow one another along x, and the place around which anchors are looked for
-  /// there: it may slide along x.
+  /// Cells that follow one another along x, and the place around which reference positions are
+  /// looked for there: it may slide along x.
   struct Row {
-    std::int32_t first, last;  ///< cells
-    Way way;                   ///< that leads there
-    Anchor::Place place;       ///< from the lower corner of the first cell, grains
-    std::int16_t slide;        ///< how far either way, grains
+    std::int32_t first, last;        ///< cells
+    PeriodicImage periodic_image;    ///< in which they are seen
+    ReferencePosition::Place place;  ///< from the lower corner of the first cell, grains
+    std::int16_t slide;              ///< how far either way, grains
   };
   /// What is near.
   struct Range {
@@ -46,11 +47,11 @@ class AnchorCells {
     std::int16_t cell_width;  ///< as above
   };
 
-  explicit AnchorCells(std::int32_t cells);
+  explicit ReferenceCells(std::int32_t cells);
 
   /// \param label  number of the sphere; beyond Neighbour::sphere_bits a code of its size, below
   /// 128
-  void insert(std::int32_t label, std::int32_t cell, const Anchor& anchor);
+  void insert(std::int32_t label, std::int32_t cell, const ReferencePosition& reference);
   void remove(std::int32_t label, std::int32_t cell);
 
   /// Writes the neighbours in rows of cells to `found`.
@@ -63,16 +64,16 @@ class AnchorCells {
   /// No cell has had more spheres, or few more.
   std::size_t room() const { return longest_ * Chunk::places; }
 
-  /// Fetches the cells `first` to `last`.
-  void fetch(std::int32_t first, std::int32_t last) const {
-    for (std::int32_t cell = first; cell <= last; ++cell) fetch_line(&chunk(cell));
+  /// Prefetches the cells `first` to `last`.
+  void prefetch(std::int32_t first, std::int32_t last) const {
+    for (std::int32_t cell = first; cell <= last; ++cell) prefetch_line(&chunk(cell));
   }
 
   /// So many Neighbours behind those that are found may be overwritten.
   static constexpr std::size_t slack = 8;
 
   /// Places for six spheres, as many as a line of the cache holds; at free ones, which come last,
-  /// the anchor is far from everywhere.
+  /// the reference position is far from everywhere.
   struct alignas(64) Chunk {
     static constexpr std::size_t places = 6;
     static constexpr std::int32_t none = -1;

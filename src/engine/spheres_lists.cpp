@@ -1,4 +1,4 @@
-// Where spheres are settled, and who is near them then.
+// Where neighbour lists are rebuilt, and which spheres are near then.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 /// Three rows of three, in each of which at most five cells are within reach.
 constexpr std::size_t most_cells_around = 3 * 3 * 5;
 
-/// The floor of a number, from `least` to `most` whatever it is: in a state that somebody has made
+/// The floor of a number, from `least` to `most` whatever it is: in a state that has been made
 /// up it may be anything.
 template <class Real>
 int floor_within(int least, int most, const Real& number) {
@@ -28,23 +28,23 @@ int floor_within(int least, int most, const Real& number) {
 }  // namespace
 
 template <int Dim, class Real>
-Real Spheres<Dim, Real>::unsettled_at(std::int32_t i, const Real& when, const Real& until) const {
+Real Spheres<Dim, Real>::rebuild_time(std::int32_t i, const Real& when, const Real& until) const {
   if (search_) return exit_at(i, when, until);
   const Sphere& sphere = (*this)[i];
-  const Anchor& anchor = this->anchor(i);
+  const ReferencePosition& reference = this->reference(i);
   const Vector corner = this->corner(sphere.cell);
   const Vector place = position_at(sphere, when);
   const Vector velocity = velocity_at(sphere, when);
   Vector away;
   for (int axis = 0; axis < Dim; ++axis) {
-    const Real middle = anchor.place[static_cast<std::size_t>(axis)] * Real(settling_.grain);
+    const Real middle = reference.place[static_cast<std::size_t>(axis)] * Real(list_range_.grain);
     away[axis] = (place[axis] - corner[axis]) - middle;
   }
-  const Real expires = static_cast<Real>(double{anchor.expires} * settling_.expiry_unit);
+  const Real expires = static_cast<Real>(double{reference.expires} * list_range_.expiry_unit);
   if (!falls_) {
-    // Most spheres meet somebody before they leave their ball: that needs no root.
+    // Most spheres meet another one before they leave their ball: that needs no root.
     const Vector then = away + velocity * (until - when);
-    const Real reach = Real(settling_.reach);
+    const Real reach = Real(list_range_.reach);
     if (dot(then, then) < reach * reach) return expires;
   }
   const Real left =
@@ -52,16 +52,16 @@ Real Spheres<Dim, Real>::unsettled_at(std::int32_t i, const Real& when, const Re
   return left < expires ? left : expires;
 }
 
-/// Time until a sphere that flies straight is `settling_.reach` away from its anchor.
+/// Time until a sphere that flies straight is `list_range_.reach` away from its reference position.
 ///
-/// \param away  its place relative to the anchor
+/// \param away  its place relative to the reference position
 template <int Dim, class Real>
 Real Spheres<Dim, Real>::time_in_ball(const Vector& away, const Vector& velocity) const {
   using std::sqrt;
   const Real v2 = dot(velocity, velocity);
   if (!(v2 > 0)) return std::numeric_limits<Real>::infinity();
   const Real b = dot(away, velocity);
-  const Real room = Real(settling_.reach) * Real(settling_.reach) - dot(away, away);
+  const Real room = Real(list_range_.reach) * Real(list_range_.reach) - dot(away, away);
   if (!(room > 0)) return 0;  // outside already, by rounding
   const Real root = sqrt(b * b + v2 * room);
   if (!(root > 0)) return std::numeric_limits<Real>::infinity();  // too slow for the exponent
@@ -85,71 +85,74 @@ Real Spheres<Dim, Real>::time_in_cube(const Vector& away, const Vector& velocity
 }
 
 template <int Dim, class Real>
-std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t i, const Real& when,
-                                                      const Real& meeting) {
+std::span<const Neighbour> Spheres<Dim, Real>::rebuild_list(std::int32_t i, const Real& when,
+                                                            const Real& meeting) {
   if (search_) return cross_face(i, when);
   Sphere& sphere = (*this)[i];
   remove_anchor(i);
-  const Vector ahead = way_to_anchor(velocity_at(sphere, when), meeting - when);
-  // Every way may lead elsewhere now. In a narrow box, with several ways to one neighbour, one that
-  // is known could pass for another one that is new.
-  const Way way = go_home(sphere, when, ahead);
-  const bool is_seen_anew = way != Way();
-  const Vec<Dim, double> periods = periods_of(way);
+  const Vector ahead = displacement_of_reference(velocity_at(sphere, when), meeting - when);
+  // Every image may lie elsewhere now. In a narrow box, with several images of one neighbour, one
+  // that is known could pass for another one that is new.
+  const PeriodicImage periodic_image = go_home(sphere, when, ahead);
+  const bool is_seen_anew = periodic_image != PeriodicImage();
+  const Vec<Dim, double> periods = periods_of(periodic_image);
   if (periods != Vec<Dim, double>{}) boxes(i) += periods;
   const NeighbourLists::Changes all_gone{};
-  const bool is_worth_fetching = count() > most_spheres_in_cache;
-  if (is_seen_anew && is_worth_fetching) lists_.fetch(i, {}, all_gone);
-  drop_anchor(i, when, ahead);
+  const bool is_worth_prefetching = count() > most_spheres_in_cache;
+  if (is_seen_anew && is_worth_prefetching) lists_.prefetch(i, {}, all_gone);
+  put_reference(i, when, ahead);
   const std::span<Neighbour> neighbours = neighbours_of(i, when);
   if (is_seen_anew) lists_.replace(i, {}, all_gone);
   const NeighbourLists::Changes changes = lists_.changes(i, neighbours);
   const std::span<const Neighbour> fresh = neighbours.first(changes.fresh);
-  if (is_worth_fetching) {
-    for (const Neighbour neighbour : fresh) fetch_line(&(*this)[neighbour.sphere()]);
-    lists_.fetch(i, neighbours, changes);
+  if (is_worth_prefetching) {
+    for (const Neighbour neighbour : fresh) prefetch_line(&(*this)[neighbour.sphere()]);
+    lists_.prefetch(i, neighbours, changes);
   }
   lists_.replace(i, neighbours, changes);
   insert_anchor(i);
-  is_crowded_ = is_crowded_ || (settling_.is_wide && neighbours.size() > most_alone);
-  // What looks at four at once looks beyond the end: at nobody for whom it would have to wait.
+  is_crowded_ = is_crowded_ || (list_range_.is_wide && neighbours.size() > most_alone);
+  // What looks at four at once looks beyond the end: at none for which it would have to wait.
   if (!fresh.empty()) std::fill_n(nearby_.data() + changes.fresh, 3, fresh.back());
   return fresh;
 }
 
-/// How far ahead of a sphere its anchor lies. In a dilute system that is where it is going to meet
-/// somebody, unless it leaves its ball before: it flies straight until then, and stays in the ball
-/// up to twice as long as if that were around the place where it is settled.
+/// How far ahead of a sphere its reference position lies. In a dilute system that is where it is
+/// going to meet another one, unless it leaves its ball before: it flies straight until then, and
+/// stays in the ball up to twice as long as if that were around the place where its list is
+/// rebuilt.
 ///
 /// \param flight  time until the meeting; infinity: there is none
 template <int Dim, class Real>
-Vec<Dim, Real> Spheres<Dim, Real>::way_to_anchor(const Vector& velocity, const Real& flight) const {
+Vec<Dim, Real> Spheres<Dim, Real>::displacement_of_reference(const Vector& velocity,
+                                                             const Real& flight) const {
   using std::sqrt;
-  if (!settling_.is_dilute) return {};
+  if (!list_range_.is_dilute) return {};
   constexpr double share = 0.9;  // of the way to the edge, which rounding must not take it over
   const Real v2 = dot(velocity, velocity);
   if (!(v2 > 0)) return {};
-  const Real longest = Real(share * (falls_ ? reach_along_axes() : settling_.reach)) / sqrt(v2);
+  const Real longest = Real(share * (falls_ ? reach_along_axes() : list_range_.reach)) / sqrt(v2);
   return velocity * std::clamp(flight, Real(0), longest);
 }
 
-/// \param ahead  from where the sphere is at `when` to its anchor
+/// \param ahead  from where the sphere is at `when` to its reference position
 template <int Dim, class Real>
-void Spheres<Dim, Real>::drop_anchor(std::int32_t i, const Real& when, const Vector& ahead) {
-  anchor(i).place = place_in_cell(position_at((*this)[i], when) + ahead, (*this)[i].cell);
-  anchor(i).expires =
-      static_cast<float>((static_cast<double>(when) + settling_.window) / settling_.expiry_unit);
+void Spheres<Dim, Real>::put_reference(std::int32_t i, const Real& when, const Vector& ahead) {
+  reference(i).place = place_in_cell(position_at((*this)[i], when) + ahead, (*this)[i].cell);
+  reference(i).expires = static_cast<float>((static_cast<double>(when) + list_range_.window) /
+                                            list_range_.expiry_unit);
 }
 
 /// A place from the lower corner of a cell, in grains.
 template <int Dim, class Real>
-Anchor::Place Spheres<Dim, Real>::place_in_cell(const Vector& place, std::int32_t cell) const {
+ReferencePosition::Place Spheres<Dim, Real>::place_in_cell(const Vector& place,
+                                                           std::int32_t cell) const {
   const Vector corner = this->corner(cell);
-  Anchor::Place in_cell{};
+  ReferencePosition::Place in_cell{};
   for (int axis = 0; axis < Dim; ++axis) {
-    const double grains = static_cast<double>(place[axis] - corner[axis]) / settling_.grain;
+    const double grains = static_cast<double>(place[axis] - corner[axis]) / list_range_.grain;
     in_cell[static_cast<std::size_t>(axis)] =
-        static_cast<std::int16_t>(floor_within(0, AnchorCells::grains_a_cell, grains + 0.5));
+        static_cast<std::int16_t>(floor_within(0, ReferenceCells::grains_a_cell, grains + 0.5));
   }
   return in_cell;
 }
@@ -169,9 +172,10 @@ Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t cell) const {
 /// cell's layer. It stays stored for the time for which it was: only where it is given another
 /// layer or image of the box is it rounded.
 ///
-/// \return  the way to where it is at home
+/// \return  the periodic image in which that is seen
 template <int Dim, class Real>
-Way Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector& ahead) const {
+PeriodicImage Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when,
+                                          const Vector& ahead) const {
   const Vector position = position_at(sphere, when) + ahead;
   const Vector& width = box_.cell_width();
   const Steps<Dim> old = cells_.coordinates(sphere.cell);
@@ -200,15 +204,15 @@ Way Spheres<Dim, Real>::go_home(Sphere& sphere, const Real& when, const Vector& 
     if (axis == 1) layers = std::clamp(cell - old[a], -1, 1);
   }
   sphere.cell = cells_.index(home);
-  const Way way(periods, layers);
-  if (way != Way()) see_from(sphere, way);
-  return way;
+  const PeriodicImage periodic_image(periods, layers);
+  if (periodic_image != PeriodicImage()) see_from(sphere, periodic_image);
+  return periodic_image;
 }
 
-/// Gives a sphere the frame and the image of the box to which a way leads.
+/// Gives a sphere the frame and the box of a periodic image.
 template <int Dim, class Real>
-void Spheres<Dim, Real>::see_from(Sphere& sphere, Way way) const {
-  const Image<Dim, Real>& image = this->image(way);
+void Spheres<Dim, Real>::see_from(Sphere& sphere, PeriodicImage periodic_image) const {
+  const Image<Dim, Real>& image = this->image(periodic_image);
   sphere.position -= image.position;
   sphere.position[0] -= image.velocity * sphere.time;
   sphere.velocity[0] -= image.velocity;
@@ -228,19 +232,19 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Rea
 template <int Dim, class Real>
 std::span<Neighbour> Spheres<Dim, Real>::neighbours_of_one_size(std::int32_t i, const Real& when) {
   const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
-  const Anchor& anchor = this->anchor(i);
+  const ReferencePosition& reference = this->reference(i);
   const Slides slid = slides(home, when);
   const SlidGrains slid_grains = this->slid_grains(slid);
   const double column =
-      anchor.place[0] * settling_.grain / static_cast<double>(box_.cell_width()[0]);
-  std::array<AnchorCells::Row, most_cells_around> rows;  // a cell in each at least
+      reference.place[0] * list_range_.grain / static_cast<double>(box_.cell_width()[0]);
+  std::array<ReferenceCells::Row, most_cells_around> rows;  // a cell in each at least
   std::size_t count = 0;
-  const auto add_row = [&](std::int32_t first, std::int32_t last, Way way,
+  const auto add_row = [&](std::int32_t first, std::int32_t last, PeriodicImage periodic_image,
                            const Steps<Dim>& steps) {
     const int layers = SlidingCells<Dim>::layers(steps);
-    AnchorCells::Row& row = rows[count++];
+    ReferenceCells::Row& row = rows[count++];
     const int either_way = layers != 0 ? slid_grains.either_way : 0;
-    row = {first, last, way, anchor.place, static_cast<std::int16_t>(either_way)};
+    row = {first, last, periodic_image, reference.place, static_cast<std::int16_t>(either_way)};
     const int along_x = slid_grains.layers[static_cast<std::size_t>(layers + 1)];
     row.place[0] -= static_cast<std::int16_t>(along_x);
     for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -248,12 +252,12 @@ std::span<Neighbour> Spheres<Dim, Real>::neighbours_of_one_size(std::int32_t i, 
     }
   };
   cells_.for_each_run(home, columns_within_reach(column, slid), add_row);
-  const double distance = settling_.distance / settling_.grain;
-  const AnchorCells::Range range{static_cast<std::int32_t>(distance * distance),
-                                 static_cast<std::int16_t>(cell_grains_[0])};
-  nearby_.resize(most_cells_around * anchor_cells_.room() + AnchorCells::slack);
+  const double distance = list_range_.distance / list_range_.grain;
+  const ReferenceCells::Range range{static_cast<std::int32_t>(distance * distance),
+                                    static_cast<std::int16_t>(cell_grains_[0])};
+  nearby_.resize(most_cells_around * reference_cells_.room() + ReferenceCells::slack);
   const Neighbour* const end =
-      anchor_cells_.find(std::span(rows).first(count), range, nearby_.data());
+      reference_cells_.find(std::span(rows).first(count), range, nearby_.data());
   return {nearby_.data(), static_cast<std::size_t>(end - nearby_.data())};
 }
 
@@ -266,25 +270,24 @@ typename Spheres<Dim, Real>::SlidGrains Spheres<Dim, Real>::slid_grains(const Sl
 }
 
 template <int Dim, class Real>
-void Spheres<Dim, Real>::fetch_cells(std::int32_t i, const Real& when) const {
+void Spheres<Dim, Real>::prefetch_cells(std::int32_t i, const Real& when) const {
   Sphere sphere = (*this)[i];
   if (!search_) go_home(sphere, when, {});
   const Steps<Dim> home = cells_.coordinates(sphere.cell);
   if (search_) {
     cells_.for_each_run(home, search_->reach(cells_, home),
-                        [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
-                          search_->members().fetch(first, last);
-                        });
+                        [&](std::int32_t first, std::int32_t last, PeriodicImage,
+                            const Steps<Dim>&) { search_->members().prefetch(first, last); });
     return;
   }
   if (sized_anchors_) {
     const auto place = place_in_cell(position_at(sphere, when), sphere.cell);
-    return sized_anchors_->fetch(cells_, viewer(i, home, place, when));
+    return sized_anchors_->prefetch(cells_, viewer(i, home, place, when));
   }
   const Real column = position_at(sphere, when)[0] / box_.cell_width()[0] - home[0];
   cells_.for_each_run(home, columns_within_reach(static_cast<double>(column), slides(home, when)),
-                      [&](std::int32_t first, std::int32_t last, Way, const Steps<Dim>&) {
-                        anchor_cells_.fetch(first, last);
+                      [&](std::int32_t first, std::int32_t last, PeriodicImage, const Steps<Dim>&) {
+                        reference_cells_.prefetch(first, last);
                       });
 }
 
@@ -311,8 +314,8 @@ typename Spheres<Dim, Real>::Slides Spheres<Dim, Real>::slides(const Steps<Dim>&
 template <int Dim, class Real>
 typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(
     double place, const Slides& slid) const {
-  const double window = box_.is_sheared() ? 1.0 / settling_.lists_a_cell : 0;
-  const double distance = settling_.distance / static_cast<double>(box_.cell_width()[0]);
+  const double window = box_.is_sheared() ? 1.0 / list_range_.lists_a_cell : 0;
+  const double distance = list_range_.distance / static_cast<double>(box_.cell_width()[0]);
   typename SlidingCells<Dim>::Reach reach;
   for (const int layers : {-1, 0, 1}) {
     // The cell of column d then covers d + slide to d + slide + 1, and slides on by `window`.
@@ -324,7 +327,8 @@ typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(
     }
     int from = static_cast<int>(std::floor(place - distance - most));
     int to = static_cast<int>(std::floor(place + distance - least));
-    if (box_.is_closed(0)) {  // a cell alone may be narrower, but beyond the walls there is nobody
+    if (box_.is_closed(
+            0)) {  // a cell alone may be narrower, but beyond the walls there are no spheres
       from = std::max(from, -1);
       to = std::min(to, 1);
     }
@@ -334,12 +338,12 @@ typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(
 }
 
 template <int Dim, class Real>
-void Spheres<Dim, Real>::set_back(const Real& span) {
+void Spheres<Dim, Real>::shift_times(const Real& span) {
   for (Sphere& sphere : spheres_) sphere.time -= span;
   if (!box_.is_sheared()) return;
-  const auto units = static_cast<float>(static_cast<double>(span) / settling_.expiry_unit);
+  const auto units = static_cast<float>(static_cast<double>(span) / list_range_.expiry_unit);
   if (!search_) {
-    for (std::int32_t i = 0; i < count(); ++i) anchor(i).expires -= units;
+    for (std::int32_t i = 0; i < count(); ++i) reference(i).expires -= units;
   }
   cells_.slide_by_one_cell();
   if (cells_.whole_slide() == 0) turn();
@@ -358,21 +362,23 @@ void Spheres<Dim, Real>::turn() {
   }
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                          \
-  template void Spheres<Dim, Real>::fetch_cells(std::int32_t, const Real&) const;                  \
-  template Real Spheres<Dim, Real>::unsettled_at(std::int32_t, const Real&, const Real&) const;    \
-  template std::span<const Neighbour> Spheres<Dim, Real>::settle(std::int32_t, const Real&,        \
-                                                                 const Real&);                     \
-  template void Spheres<Dim, Real>::drop_anchor(std::int32_t, const Real&, const Vec<Dim, Real>&); \
-  template Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t) const;                          \
-  template Way Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) const;     \
-  template void Spheres<Dim, Real>::see_from(Sphere&, Way) const;                                  \
-  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);      \
-  template typename Spheres<Dim, Real>::Slides Spheres<Dim, Real>::slides(const Steps<Dim>&,       \
-                                                                          const Real&) const;      \
-  template typename Spheres<Dim, Real>::SlidGrains Spheres<Dim, Real>::slid_grains(const Slides&)  \
-      const;                                                                                       \
-  template void Spheres<Dim, Real>::set_back(const Real&);
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                         \
+  template void Spheres<Dim, Real>::prefetch_cells(std::int32_t, const Real&) const;              \
+  template Real Spheres<Dim, Real>::rebuild_time(std::int32_t, const Real&, const Real&) const;   \
+  template std::span<const Neighbour> Spheres<Dim, Real>::rebuild_list(std::int32_t, const Real&, \
+                                                                       const Real&);              \
+  template void Spheres<Dim, Real>::put_reference(std::int32_t, const Real&,                      \
+                                                  const Vec<Dim, Real>&);                         \
+  template Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t) const;                         \
+  template PeriodicImage Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) \
+      const;                                                                                      \
+  template void Spheres<Dim, Real>::see_from(Sphere&, PeriodicImage) const;                       \
+  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);     \
+  template typename Spheres<Dim, Real>::Slides Spheres<Dim, Real>::slides(const Steps<Dim>&,      \
+                                                                          const Real&) const;     \
+  template typename Spheres<Dim, Real>::SlidGrains Spheres<Dim, Real>::slid_grains(const Slides&) \
+      const;                                                                                      \
+  template void Spheres<Dim, Real>::shift_times(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 

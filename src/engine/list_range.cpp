@@ -1,4 +1,4 @@
-#include "engine/settling.hpp"
+#include "engine/list_range.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "engine/anchor_cells.hpp"
 #include "engine/cell_search.hpp"
+#include "engine/reference_cells.hpp"
 #include "model/instantiate.hpp"
 #include "model/power.hpp"
 
@@ -26,8 +26,8 @@ double mean_free_path(double share, int dimension) {
   return share / (std::numbers::sqrt2 * cross_sections[static_cast<std::size_t>(dimension - 1)]);
 }
 
-/// How far apart anchors on one list may be, diameters. Where the spheres of a dilute system crowd
-/// together the lists have to hold them: some 400 that are packed closely.
+/// How far apart reference positions on one list may be, diameters. Where the spheres of a dilute
+/// system crowd together the lists have to hold them: some 400 that are packed closely.
 double most_width(int dimension) {
   constexpr std::array<double, 3> most{100, 9, 4};
   return most[static_cast<std::size_t>(dimension - 1)];
@@ -45,7 +45,7 @@ double free_path_in(const ShearBox<Dim, Real>& box, std::int32_t spheres) {
   return mean_free_path(static_cast<double>(box.volume()) / spheres, Dim);
 }
 
-/// How far apart the anchors of equal spheres on one list may be, diameters.
+/// How far apart the reference positions of equal spheres on one list may be, diameters.
 ///
 /// \param share  volume for each sphere, diameters^dimension
 double width_for_lists(double share, int dimension, double diameter) {
@@ -70,7 +70,7 @@ double width_for_lists(double share, int dimension, const Sizes& sizes) {
 /// How many lists of a sphere last together as long as layers slide by a cell: two, or more where
 /// small spheres would have to look far along wide cells.
 ///
-/// \param distance  of the anchors of two spheres of the mean size, diameters
+/// \param distance  of the reference positions of two spheres of the mean size, diameters
 int lists_a_cell(double distance, double width) {
   constexpr double most = 4;  // with more of them most lists end before their sphere has moved away
   return static_cast<int>(std::clamp(std::ceil(width / distance), 2.0, most));
@@ -91,9 +91,10 @@ double width_without_lists(double share, int dimension, double largest_diameter)
 }
 
 template <int Dim, class Real>
-Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes,
-                     bool are_alone) {
-  constexpr int grains_of_error = 4;  // of the distance of two anchors; twice that is left
+ListRange list_range_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes,
+                        bool are_alone) {
+  constexpr int grains_of_error =
+      4;  // of the distance of two reference positions; twice that is left
   double widest = 0;
   double width = width_for_lists(static_cast<double>(box.volume()) / spheres, Dim, sizes);
   for (int axis = 0; axis < Dim; ++axis) {
@@ -103,32 +104,33 @@ Settling settling_of(const ShearBox<Dim, Real>& box, std::int32_t spheres, const
     if (!is_alone) width = std::min(width, here);  // alone but for the empty cell beyond the wall
   }
   width = std::min(width, widest);  // what the grains of a cell measure
-  Settling settling{};
-  settling.grain = widest / AnchorCells::grains_a_cell;
-  settling.is_wide = are_alone;
+  ListRange list_range{};
+  list_range.grain = widest / ReferenceCells::grains_a_cell;
+  list_range.is_wide = are_alone;
   // Of places 300 diameters apart 1e-11 diameters^2 are rounding, far below what may_touch()
   // allows.
   constexpr double widest_ball = 300;
   const double most = are_alone ? widest_ball : most_width(Dim) * sizes.largest;
-  width = std::min(width, std::max(most, sizes.largest + 100 * settling.grain));
-  settling.reach = (width - sizes.largest) / 2 - grains_of_error * settling.grain;
-  settling.distance = width;
-  settling.lists_a_cell = lists_a_cell(width - sizes.largest + sizes.mean, width);
-  settling.window = box.is_sheared() ? static_cast<double>(box.clock_unit()) / settling.lists_a_cell
-                                     : std::numeric_limits<double>::infinity();
+  width = std::min(width, std::max(most, sizes.largest + 100 * list_range.grain));
+  list_range.reach = (width - sizes.largest) / 2 - grains_of_error * list_range.grain;
+  list_range.distance = width;
+  list_range.lists_a_cell = lists_a_cell(width - sizes.largest + sizes.mean, width);
+  list_range.window = box.is_sheared()
+                          ? static_cast<double>(box.clock_unit()) / list_range.lists_a_cell
+                          : std::numeric_limits<double>::infinity();
   // Which a `float` holds, however long the time unit of the case is.
   const auto clock_unit = static_cast<double>(box.clock_unit());
-  settling.expiry_unit = box.is_sheared() ? std::ldexp(1.0, std::ilogb(clock_unit)) : 1.0;
+  list_range.expiry_unit = box.is_sheared() ? std::ldexp(1.0, std::ilogb(clock_unit)) : 1.0;
   constexpr std::array<double, 3> unit_balls{2, std::numbers::pi, 4 * std::numbers::pi / 3};
-  const double usual = width - sizes.largest + sizes.mean;  // distance of anchors
-  settling.neighbours = spheres / static_cast<double>(box.volume()) *
-                        unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(usual, Dim);
+  const double usual = width - sizes.largest + sizes.mean;  // distance of reference positions
+  list_range.neighbours = spheres / static_cast<double>(box.volume()) *
+                          unit_balls[static_cast<std::size_t>(Dim - 1)] * std::pow(usual, Dim);
   constexpr double scatter = 1.4;  // large ones have more, and those where wide cells slide
-  if (sizes.largest > sizes.mean) settling.neighbours *= scatter;
+  if (sizes.largest > sizes.mean) list_range.neighbours *= scatter;
   constexpr std::int32_t many = 100;  // fewer are fast anyway, and keep the digits that they have
-  settling.is_dilute =
-      (spheres >= many || are_alone) && free_path_in(box, spheres) > 2 * settling.reach;
-  return settling;
+  list_range.is_dilute =
+      (spheres >= many || are_alone) && free_path_in(box, spheres) > 2 * list_range.reach;
+  return list_range;
 }
 
 }  // namespace
@@ -165,20 +167,20 @@ bool cells_suffice(const ShearBox<Dim, Real>& box, std::int32_t spheres, const S
 }
 
 template <int Dim, class Real>
-Settling settling_in(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes) {
+ListRange list_range_in(const ShearBox<Dim, Real>& box, std::int32_t spheres, const Sizes& sizes) {
   const bool are_alone = sizes.largest == 1 && fly_far_alone(free_path_in(box, spheres), Dim);
-  return settling_of(box, spheres, sizes, are_alone);
+  return list_range_of(box, spheres, sizes, are_alone);
 }
 
 template <int Dim, class Real>
-Settling settling_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
-                           const Sizes& sizes) {
-  return settling_of(box, spheres, sizes, false);
+ListRange list_range_in_crowd(const ShearBox<Dim, Real>& box, std::int32_t spheres,
+                              const Sizes& sizes) {
+  return list_range_of(box, spheres, sizes, false);
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                      \
-  template Settling settling_in(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&);       \
-  template Settling settling_in_crowd(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&); \
+#define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                         \
+  template ListRange list_range_in(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&);       \
+  template ListRange list_range_in_crowd(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&); \
   template bool cells_suffice(const ShearBox<Dim, Real>&, std::int32_t, const Sizes&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

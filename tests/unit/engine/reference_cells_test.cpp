@@ -1,4 +1,4 @@
-#include "engine/anchor_cells.hpp"
+#include "engine/reference_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,19 +17,19 @@ constexpr int kWidth = 5000;  // grains, along x
 
 struct Place {
   std::int32_t cell;
-  Anchor anchor;
+  ReferencePosition reference;
 };
 
 /// The same search along all cells, one by one.
-std::set<std::int32_t> within(const std::vector<Place>& places, const AnchorCells::Row& row,
+std::set<std::int32_t> within(const std::vector<Place>& places, const ReferenceCells::Row& row,
                               std::int32_t square) {
   std::set<std::int32_t> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& [cell, anchor] = places[i];
-    const int dx = std::abs(anchor.place[0] + cell * kWidth - row.place[0]);
+    const auto& [cell, reference] = places[i];
+    const int dx = std::abs(reference.place[0] + cell * kWidth - row.place[0]);
     const int along = std::max(0, dx - row.slide);
-    const int dy = anchor.place[1] - row.place[1];
-    const int dz = anchor.place[2] - row.place[2];
+    const int dy = reference.place[1] - row.place[1];
+    const int dz = reference.place[2] - row.place[2];
     if (along * along + dy * dy + dz * dz < square) {
       found.insert(static_cast<std::int32_t>(i));
     }
@@ -42,56 +42,58 @@ void expect_agreement(int spheres) {
   const auto somewhere = [&](int from, int to) {
     return static_cast<std::int16_t>(from + dice.below(to - from));
   };
-  AnchorCells cells(kCells);
+  ReferenceCells cells(kCells);
   std::vector<Place> places;
   for (std::int32_t i = 0; i < spheres; ++i) {
     places.push_back({dice.below(kCells), {}});
-    places.back().anchor.place = {somewhere(0, kWidth), somewhere(0, 6000), somewhere(0, 6000)};
-    cells.insert(i, places.back().cell, places.back().anchor);
+    places.back().reference.place = {somewhere(0, kWidth), somewhere(0, 6000), somewhere(0, 6000)};
+    cells.insert(i, places.back().cell, places.back().reference);
   }
-  const Way way(Steps<3>{1, 0, -1}, 1);
-  const Way another_way(Steps<3>{0, 1, 0}, 0);
+  const PeriodicImage periodic_image(Steps<3>{1, 0, -1}, 1);
+  const PeriodicImage another_image(Steps<3>{0, 1, 0}, 0);
   for (int n = 0; n < 300; ++n) {
     const std::int32_t moved = dice.below(spheres);
     Place& place = places[static_cast<std::size_t>(moved)];
     cells.remove(moved, place.cell);
     place.cell = dice.below(kCells);
-    cells.insert(moved, place.cell, place.anchor);
+    cells.insert(moved, place.cell, place.reference);
 
-    const AnchorCells::Row row{
+    const ReferenceCells::Row row{
         .first = 0,
         .last = kCells - 1,
-        .way = way,
+        .periodic_image = periodic_image,
         .place = {somewhere(-kWidth, 2 * kWidth), somewhere(-6000, 12000), somewhere(-6000, 12000)},
         .slide = somewhere(0, n % 2 == 0 ? 1 : 2000)};
-    std::array<AnchorCells::Row, 2> halves{row, row};
+    std::array<ReferenceCells::Row, 2> halves{row, row};
     halves[0].last = 1;
     halves[1].first = 2;
     halves[1].place[0] -= 2 * kWidth;
-    halves[1].way = another_way;
-    const AnchorCells::Range range{dice.below(36000000), kWidth};
-    std::vector<Neighbour> found(kCells * cells.room() + AnchorCells::slack);
+    halves[1].periodic_image = another_image;
+    const ReferenceCells::Range range{dice.below(36000000), kWidth};
+    std::vector<Neighbour> found(kCells * cells.room() + ReferenceCells::slack);
     const Neighbour* const end = cells.find(halves, range, found.data());
     std::set<std::int32_t> spheres_found;
     for (const Neighbour* one = found.data(); one != end; ++one) {
       const std::int32_t cell = places[static_cast<std::size_t>(one->sphere())].cell;
-      ASSERT_EQ(one->way(), cell < 2 ? way : another_way);
+      ASSERT_EQ(one->periodic_image(), cell < 2 ? periodic_image : another_image);
       ASSERT_TRUE(spheres_found.insert(one->sphere()).second);
     }
     ASSERT_EQ(spheres_found, within(places, row, range.square));
   }
 }
 
-TEST(AnchorCells, FindWhatIsWithinADistance) { expect_agreement(10); }
+TEST(ReferenceCells, FindWhatIsWithinADistance) { expect_agreement(10); }
 
-TEST(AnchorCells, FindItInCrowdedCells) { expect_agreement(120); }
+TEST(ReferenceCells, FindItInCrowdedCells) { expect_agreement(120); }
 
-TEST(AnchorCells, FindNobodyInEmptyCells) {
-  const AnchorCells cells(kCells);
+TEST(ReferenceCells, FindNobodyInEmptyCells) {
+  const ReferenceCells cells(kCells);
   for (const auto x : {std::int16_t{-9000}, std::int16_t{0}, std::int16_t{24000}}) {
-    std::vector<Neighbour> found(kCells * cells.room() + AnchorCells::slack);
-    const std::array<AnchorCells::Row, 1> row{{{0, kCells - 1, Way(), {x, 0, 0}, 1500}}};
-    EXPECT_EQ(cells.find(row, AnchorCells::Range{6000 * 6000, kWidth}, found.data()), found.data());
+    std::vector<Neighbour> found(kCells * cells.room() + ReferenceCells::slack);
+    const std::array<ReferenceCells::Row, 1> row{
+        {{0, kCells - 1, PeriodicImage(), {x, 0, 0}, 1500}}};
+    EXPECT_EQ(cells.find(row, ReferenceCells::Range{6000 * 6000, kWidth}, found.data()),
+              found.data());
   }
 }
 
