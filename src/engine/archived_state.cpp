@@ -50,7 +50,7 @@ Spheres<Dim, Real>::Spheres(Archived archived, const ShearBox<Dim, Real>& box,
       require_archived(place >= 0 && place <= ReferenceCells::grains_a_cell,
                        "a reference position outside of its cell");
     }
-    insert_anchor(i);
+    insert_reference(i);
     for (const auto packed : archive.template next<std::vector<std::uint32_t>>()) {
       const auto neighbour = Neighbour::from_packed(packed);
       const std::int32_t j = neighbour.sphere();

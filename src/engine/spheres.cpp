@@ -26,10 +26,10 @@ Spheres<Dim, Real>::Spheres(const ShearBox<Dim, Real>& box, Configuration<Dim, R
   if (search_) return;
   for (std::int32_t i = 0; i < count(); ++i) {
     // As if it had been alone until now.
-    remove_anchor(i);
+    remove_reference(i);
     const std::span<Neighbour> neighbours = neighbours_of(i, 0);
     lists_.replace(i, neighbours, lists_.changes(i, neighbours));
-    insert_anchor(i);
+    insert_reference(i);
     is_crowded_ = is_crowded_ || (list_range_.is_wide && neighbours.size() > most_alone);
   }
   if (is_crowded_) rebuild_in_crowd(0);
@@ -124,7 +124,7 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
       search_->insert(i, (*this)[i].cell);
     } else {
       put_reference(i, 0, {});
-      insert_anchor(i);
+      insert_reference(i);
     }
   }
 }

@@ -19,7 +19,7 @@
 #include "engine/prefetching.hpp"
 #include "engine/reference_cells.hpp"
 #include "engine/simd/first_contacts.hpp"
-#include "engine/sized_anchors.hpp"
+#include "engine/sized_reference_cells.hpp"
 #include "engine/sliding_cells.hpp"
 #include "engine/sphere.hpp"
 #include "model/archive.hpp"
@@ -37,9 +37,9 @@ namespace zenosphere {
 /// Now and then the neighbour list of a sphere is rebuilt: it gets a reference position where it
 /// is, or somewhat ahead, the cell of that position, and a list of all that can touch it while both
 /// stay within reach of theirs. When it leaves that ball, or the layers have slid on by half a cell
-/// or less, it has to be settled again. Until then cell and frame stay, also where the sphere is a
+/// or less, its list has to be rebuilt. Until then cell and frame stay, also where the sphere is a
 /// little outside. In dilute systems there are neither reference positions nor lists (see
-/// CellSearch): a sphere is settled in the next cell when it crosses a face of its own. Nothing in
+/// CellSearch): a sphere is put into the next cell when it crosses a face of its own. Nothing in
 /// here knows about collisions or the order of events.
 ///
 /// Source: neighbour lists in event-driven dynamics: Donev, Torquato & Stillinger, J. Comput. Phys.
@@ -299,14 +299,14 @@ class Spheres {
   void use_cells();
   void use_lists();
   Vec<Dim, double> brought_back(Sphere& sphere, const Real& when) const;
-  void insert_anchor(std::int32_t i);
-  void remove_anchor(std::int32_t i);
+  void insert_reference(std::int32_t i);
+  void remove_reference(std::int32_t i);
   std::span<Neighbour> neighbours_of(std::int32_t i, const Real& when);
   std::span<Neighbour> neighbours_of_one_size(std::int32_t i, const Real& when);
   std::span<Neighbour> neighbours_by_size(std::int32_t i, const Real& when);
-  typename SizedAnchors<Dim>::Viewer viewer(std::int32_t i, const Steps<Dim>& home,
-                                            const ReferencePosition::Place& place,
-                                            const Real& when) const;
+  typename SizedReferenceCells<Dim>::Viewer viewer(std::int32_t i, const Steps<Dim>& home,
+                                                   const ReferencePosition::Place& place,
+                                                   const Real& when) const;
   Slides slides(const Steps<Dim>& home, const Real& when) const;
   /// The same in grains, in the middle of the time for which a list lasts.
   struct SlidGrains {
@@ -398,10 +398,10 @@ class Spheres {
   HugePageVector<Vec<Dim, double>> boxes_;  ///< of each sphere: faces that it has come through
   std::optional<CellSearch<Dim>> search_;   ///< in place of lists and reference positions, or none
   NeighbourLists lists_;
-  ReferenceCells reference_cells_;                  ///< of spheres of one size
-  std::optional<SizedAnchors<Dim>> sized_anchors_;  ///< in place of these, or none
-  std::vector<Neighbour> nearby_;                   ///< scratch
-  std::array<Image<Dim, Real>, 256> images_{};      ///< by their codes, at remainder 0
+  ReferenceCells reference_cells_;                       ///< of spheres of one size
+  std::optional<SizedReferenceCells<Dim>> sized_cells_;  ///< in place of these, or none
+  std::vector<Neighbour> nearby_;                        ///< scratch
+  std::array<Image<Dim, Real>, 256> images_{};           ///< by their codes, at remainder 0
 };
 
 }  // namespace zenosphere

@@ -71,7 +71,7 @@ void Spheres<Dim, Real>::rebuild_in_crowd(const Real& when) {
     use_lists();
     for (std::int32_t i = 0; i < count(); ++i) {
       put_reference(i, when, {});
-      insert_anchor(i);
+      insert_reference(i);
     }
   }
   for (std::int32_t i = 0; i < count(); ++i) rebuild_list(i, when, when);

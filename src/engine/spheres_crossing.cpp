@@ -30,9 +30,9 @@ void Spheres<Dim, Real>::use_lists() {
   }
   std::vector<double> radii;
   for (const Real& radius : radii_) radii.push_back(static_cast<double>(radius));
-  const AnchorGrid<Dim> grid{cell_grains_, list_range_.grain, static_cast<double>(box_.volume()),
-                             box_.is_closed(0)};
-  sized_anchors_.emplace(cells_, grid, radii);
+  const ReferenceGrid<Dim> grid{cell_grains_, list_range_.grain, static_cast<double>(box_.volume()),
+                                box_.is_closed(0)};
+  sized_cells_.emplace(cells_, grid, radii);
 }
 
 /// When a sphere leaves its cell: of a time after `until` only that it is after it.

@@ -1,4 +1,4 @@
-// Where neighbour lists are rebuilt, and which spheres are near then.
+// When and where neighbour lists are rebuilt.
 
 #include <algorithm>
 #include <array>
@@ -12,9 +12,6 @@
 namespace zenosphere {
 
 namespace {
-
-/// Three rows of three, in each of which at most five cells are within reach.
-constexpr std::size_t most_cells_around = 3 * 3 * 5;
 
 /// The floor of a number, from `least` to `most` whatever it is: in a state that has been made
 /// up it may be anything.
@@ -89,7 +86,7 @@ std::span<const Neighbour> Spheres<Dim, Real>::rebuild_list(std::int32_t i, cons
                                                             const Real& meeting) {
   if (search_) return cross_face(i, when);
   Sphere& sphere = (*this)[i];
-  remove_anchor(i);
+  remove_reference(i);
   const Vector ahead = displacement_of_reference(velocity_at(sphere, when), meeting - when);
   // Every image may lie elsewhere now. In a narrow box, with several images of one neighbour, one
   // that is known could pass for another one that is new.
@@ -110,7 +107,7 @@ std::span<const Neighbour> Spheres<Dim, Real>::rebuild_list(std::int32_t i, cons
     lists_.prefetch(i, neighbours, changes);
   }
   lists_.replace(i, neighbours, changes);
-  insert_anchor(i);
+  insert_reference(i);
   is_crowded_ = is_crowded_ || (list_range_.is_wide && neighbours.size() > most_alone);
   // What looks at four at once looks beyond the end: at none for which it would have to wait.
   if (!fresh.empty()) std::fill_n(nearby_.data() + changes.fresh, 3, fresh.back());
@@ -218,125 +215,6 @@ void Spheres<Dim, Real>::see_from(Sphere& sphere, PeriodicImage periodic_image) 
   sphere.velocity[0] -= image.velocity;
 }
 
-/// All spheres whose balls come within a diameter of the ball of i while one slides past the
-/// other.
-template <int Dim, class Real>
-std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t i, const Real& when) {
-  if (!is_mixture_) [[likely]]
-    return neighbours_of_one_size(i, when);
-  const std::span near =
-      are_of_one_size() ? neighbours_of_one_size(i, when) : neighbours_by_size(i, when);
-  return grains_.is_immobile(i) ? without_immobile(near) : near;
-}
-
-template <int Dim, class Real>
-std::span<Neighbour> Spheres<Dim, Real>::neighbours_of_one_size(std::int32_t i, const Real& when) {
-  const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
-  const ReferencePosition& reference = this->reference(i);
-  const Slides slid = slides(home, when);
-  const SlidGrains slid_grains = this->slid_grains(slid);
-  const double column =
-      reference.place[0] * list_range_.grain / static_cast<double>(box_.cell_width()[0]);
-  std::array<ReferenceCells::Row, most_cells_around> rows;  // a cell in each at least
-  std::size_t count = 0;
-  const auto add_row = [&](std::int32_t first, std::int32_t last, PeriodicImage periodic_image,
-                           const Steps<Dim>& steps) {
-    const int layers = SlidingCells<Dim>::layers(steps);
-    ReferenceCells::Row& row = rows[count++];
-    const int either_way = layers != 0 ? slid_grains.either_way : 0;
-    row = {first, last, periodic_image, reference.place, static_cast<std::int16_t>(either_way)};
-    const int along_x = slid_grains.layers[static_cast<std::size_t>(layers + 1)];
-    row.place[0] -= static_cast<std::int16_t>(along_x);
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      row.place[axis] -= static_cast<std::int16_t>(steps[axis] * cell_grains_[axis]);
-    }
-  };
-  cells_.for_each_run(home, columns_within_reach(column, slid), add_row);
-  const double distance = list_range_.distance / list_range_.grain;
-  const ReferenceCells::Range range{static_cast<std::int32_t>(distance * distance),
-                                    static_cast<std::int16_t>(cell_grains_[0])};
-  nearby_.resize(most_cells_around * reference_cells_.room() + ReferenceCells::slack);
-  const Neighbour* const end =
-      reference_cells_.find(std::span(rows).first(count), range, nearby_.data());
-  return {nearby_.data(), static_cast<std::size_t>(end - nearby_.data())};
-}
-
-template <int Dim, class Real>
-typename Spheres<Dim, Real>::SlidGrains Spheres<Dim, Real>::slid_grains(const Slides& slid) const {
-  const auto grains = [&](double columns) {
-    return static_cast<int>(columns * cell_grains_[0] + 0.5) + slide_grains_;
-  };
-  return {{-grains(slid.below), 0, grains(slid.above)}, slide_grains_};
-}
-
-template <int Dim, class Real>
-void Spheres<Dim, Real>::prefetch_cells(std::int32_t i, const Real& when) const {
-  Sphere sphere = (*this)[i];
-  if (!search_) go_home(sphere, when, {});
-  const Steps<Dim> home = cells_.coordinates(sphere.cell);
-  if (search_) {
-    cells_.for_each_run(home, search_->reach(cells_, home),
-                        [&](std::int32_t first, std::int32_t last, PeriodicImage,
-                            const Steps<Dim>&) { search_->members().prefetch(first, last); });
-    return;
-  }
-  if (sized_anchors_) {
-    const auto place = place_in_cell(position_at(sphere, when), sphere.cell);
-    return sized_anchors_->prefetch(cells_, viewer(i, home, place, when));
-  }
-  const Real column = position_at(sphere, when)[0] / box_.cell_width()[0] - home[0];
-  cells_.for_each_run(home, columns_within_reach(static_cast<double>(column), slides(home, when)),
-                      [&](std::int32_t first, std::int32_t last, PeriodicImage, const Steps<Dim>&) {
-                        reference_cells_.prefetch(first, last);
-                      });
-}
-
-/// By how much of a cell each layer has slid against the one below it, and beyond the faces of the
-/// box the images are displaced besides; both beside whole cells, in [0, 2].
-template <int Dim, class Real>
-typename Spheres<Dim, Real>::Slides Spheres<Dim, Real>::slides(const Steps<Dim>& home,
-                                                               const Real& when) const {
-  double slid = 0;
-  if (box_.is_sheared()) {
-    slid = std::clamp(static_cast<double>(when / box_.clock_unit()), 0.0, 1.0);
-  }
-  Slides slides{slid, slid};
-  if constexpr (Dim > 1) {
-    if (home[1] == 0) slides.below += odd_offset_;
-    if (home[1] + 1 == box_.cells()[1]) slides.above += odd_offset_;
-  }
-  return slides;
-}
-
-/// The columns of the layers below, beside and above that come near a place while a list lasts.
-///
-/// \param place  along x, from the lower side of its cell, in columns
-template <int Dim, class Real>
-typename SlidingCells<Dim>::Reach Spheres<Dim, Real>::columns_within_reach(
-    double place, const Slides& slid) const {
-  const double window = box_.is_sheared() ? 1.0 / list_range_.lists_a_cell : 0;
-  const double distance = list_range_.distance / static_cast<double>(box_.cell_width()[0]);
-  typename SlidingCells<Dim>::Reach reach;
-  for (const int layers : {-1, 0, 1}) {
-    // The cell of column d then covers d + slide to d + slide + 1, and slides on by `window`.
-    double least = 0;
-    double most = 0;
-    if (layers != 0) {
-      least = layers > 0 ? slid.above : -slid.below - window;
-      most = least + window;
-    }
-    int from = static_cast<int>(std::floor(place - distance - most));
-    int to = static_cast<int>(std::floor(place + distance - least));
-    if (box_.is_closed(
-            0)) {  // a cell alone may be narrower, but beyond the walls there are no spheres
-      from = std::max(from, -1);
-      to = std::min(to, 1);
-    }
-    reach[static_cast<std::size_t>(layers + 1)] = {from, to};
-  }
-  return reach;
-}
-
 template <int Dim, class Real>
 void Spheres<Dim, Real>::shift_times(const Real& span) {
   for (Sphere& sphere : spheres_) sphere.time -= span;
@@ -363,7 +241,6 @@ void Spheres<Dim, Real>::turn() {
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                         \
-  template void Spheres<Dim, Real>::prefetch_cells(std::int32_t, const Real&) const;              \
   template Real Spheres<Dim, Real>::rebuild_time(std::int32_t, const Real&, const Real&) const;   \
   template std::span<const Neighbour> Spheres<Dim, Real>::rebuild_list(std::int32_t, const Real&, \
                                                                        const Real&);              \
@@ -373,11 +250,6 @@ void Spheres<Dim, Real>::turn() {
   template PeriodicImage Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) \
       const;                                                                                      \
   template void Spheres<Dim, Real>::see_from(Sphere&, PeriodicImage) const;                       \
-  template std::span<Neighbour> Spheres<Dim, Real>::neighbours_of(std::int32_t, const Real&);     \
-  template typename Spheres<Dim, Real>::Slides Spheres<Dim, Real>::slides(const Steps<Dim>&,      \
-                                                                          const Real&) const;     \
-  template typename Spheres<Dim, Real>::SlidGrains Spheres<Dim, Real>::slid_grains(const Slides&) \
-      const;                                                                                      \
   template void Spheres<Dim, Real>::shift_times(const Real&);
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE

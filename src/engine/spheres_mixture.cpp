@@ -32,35 +32,34 @@ void Spheres<Dim, Real>::find_contacts_of(std::int32_t i, std::span<const Neighb
 }
 
 template <int Dim, class Real>
-void Spheres<Dim, Real>::insert_anchor(std::int32_t i) {
+void Spheres<Dim, Real>::insert_reference(std::int32_t i) {
   const std::int32_t cell = (*this)[i].cell;
-  if (!sized_anchors_) [[likely]]
+  if (!sized_cells_) [[likely]]
     return reference_cells_.insert(i, cell, reference(i));
-  sized_anchors_->insert(i, cell, reference(i));
+  sized_cells_->insert(i, cell, reference(i));
 }
 
 template <int Dim, class Real>
-void Spheres<Dim, Real>::remove_anchor(std::int32_t i) {
+void Spheres<Dim, Real>::remove_reference(std::int32_t i) {
   const std::int32_t cell = (*this)[i].cell;
-  if (!sized_anchors_) [[likely]]
+  if (!sized_cells_) [[likely]]
     return reference_cells_.remove(i, cell);
-  sized_anchors_->remove(i, cell, reference(i));
+  sized_cells_->remove(i, cell, reference(i));
 }
 
 /// As neighbours_of_one_size(), each pair by its own distance.
 template <int Dim, class Real>
 std::span<Neighbour> Spheres<Dim, Real>::neighbours_by_size(std::int32_t i, const Real& when) {
   const Steps<Dim> home = cells_.coordinates((*this)[i].cell);
-  return sized_anchors_->find(cells_, viewer(i, home, reference(i).place, when), nearby_);
+  return sized_cells_->find(cells_, viewer(i, home, reference(i).place, when), nearby_);
 }
 
 /// \param home   the cell in which it is, or will be
 /// \param place  there, grains
 template <int Dim, class Real>
-typename SizedAnchors<Dim>::Viewer Spheres<Dim, Real>::viewer(std::int32_t i,
-                                                              const Steps<Dim>& home,
-                                                              const ReferencePosition::Place& place,
-                                                              const Real& when) const {
+typename SizedReferenceCells<Dim>::Viewer Spheres<Dim, Real>::viewer(
+    std::int32_t i, const Steps<Dim>& home, const ReferencePosition::Place& place,
+    const Real& when) const {
   const double beyond = list_range_.distance - static_cast<double>(largest_);
   const SlidGrains slid = slid_grains(slides(home, when));
   return {.sphere = i,
@@ -85,10 +84,10 @@ std::span<Neighbour> Spheres<Dim, Real>::without_immobile(std::span<Neighbour> n
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                          \
   template void Spheres<Dim, Real>::find_contacts_of(std::int32_t, std::span<const Neighbour>,     \
                                                      const Real&, ContactsAhead<Real>&) const;     \
-  template void Spheres<Dim, Real>::insert_anchor(std::int32_t);                                   \
-  template void Spheres<Dim, Real>::remove_anchor(std::int32_t);                                   \
+  template void Spheres<Dim, Real>::insert_reference(std::int32_t);                                \
+  template void Spheres<Dim, Real>::remove_reference(std::int32_t);                                \
   template std::span<Neighbour> Spheres<Dim, Real>::neighbours_by_size(std::int32_t, const Real&); \
-  template typename SizedAnchors<Dim>::Viewer Spheres<Dim, Real>::viewer(                          \
+  template typename SizedReferenceCells<Dim>::Viewer Spheres<Dim, Real>::viewer(                   \
       std::int32_t, const Steps<Dim>&, const ReferencePosition::Place&, const Real&) const;        \
   template std::span<Neighbour> Spheres<Dim, Real>::without_immobile(std::span<Neighbour>) const;
 ZENOSPHERE_FOR_EACH_ENGINE(ZENOSPHERE_INSTANTIATE)

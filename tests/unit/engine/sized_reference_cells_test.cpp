@@ -1,4 +1,4 @@
-#include "engine/sized_anchors.hpp"
+#include "engine/sized_reference_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ class SizedBox {
     cells_.slide_to(whole_slide);
     for (std::int32_t i = 0; i < count; ++i) {
       cell_of_.push_back(dice_.below(cells_.count()));
-      anchor_of_.push_back(somewhere());
+      reference_of_.push_back(somewhere());
       insert(i);
     }
   }
@@ -87,7 +87,7 @@ class SizedBox {
   void move(std::int32_t i) {
     places_before_.remove(i, cell(i), reference(i));
     cell_of_[static_cast<std::size_t>(i)] = dice_.below(cells_.count());
-    anchor_of_[static_cast<std::size_t>(i)] = somewhere();
+    reference_of_[static_cast<std::size_t>(i)] = somewhere();
     insert(i);
   }
 
@@ -100,8 +100,8 @@ class SizedBox {
     sides[0] = 7;
     return sides;
   }
-  static AnchorGrid<Dim> grid() {
-    AnchorGrid<Dim> grid{.grain = grain, .volume = 1};
+  static ReferenceGrid<Dim> grid() {
+    ReferenceGrid<Dim> grid{.grain = grain, .volume = 1};
     grid.cell_grains.fill(grains);
     for (const int side : sides()) grid.volume *= side * grains * grain;
     return grid;
@@ -116,19 +116,19 @@ class SizedBox {
   void insert(std::int32_t i) { places_before_.insert(i, cell(i), reference(i)); }
   std::int32_t cell(std::int32_t i) const { return cell_of_[static_cast<std::size_t>(i)]; }
   const ReferencePosition& reference(std::int32_t i) const {
-    return anchor_of_[static_cast<std::size_t>(i)];
+    return reference_of_[static_cast<std::size_t>(i)];
   }
   double radius(std::int32_t i) const { return radii_[static_cast<std::size_t>(i)]; }
 
   support::Dice dice_;
   SlidingCells<Dim> cells_;
   std::vector<double> radii_;
-  SizedAnchors<Dim> places_before_;
+  SizedReferenceCells<Dim> places_before_;
   std::vector<std::int32_t> cell_of_;
-  std::vector<ReferencePosition> anchor_of_;
+  std::vector<ReferencePosition> reference_of_;
 };
 
-/// Nobody who is near is missed, and only what rounding lets seem so is taken besides.
+/// No sphere that is near is missed, and only what rounding lets seem so is taken besides.
 template <int Dim>
 void expect_same_found(int count, int whole_slide, int slid, int slide) {
   SizedBox<Dim> box(count, 7, whole_slide);
@@ -145,20 +145,21 @@ void expect_same_found(int count, int whole_slide, int slid, int slide) {
   EXPECT_GT(pairs, static_cast<std::size_t>(count));
 }
 
-TEST(SizedAnchors, FindWhoIsNearInSpace) { expect_same_found<3>(4000, 0, 0, 0); }
+TEST(SizedReferenceCells, FindWhoIsNearInSpace) { expect_same_found<3>(4000, 0, 0, 0); }
 
-TEST(SizedAnchors, FindWhoIsNearInLayersThatSlide) {
+TEST(SizedReferenceCells, FindWhoIsNearInLayersThatSlide) {
   expect_same_found<3>(1000, 0, 1300, 300);
   expect_same_found<3>(1000, 3, 250, 250);
   expect_same_found<2>(300, 5, 1900, 400);
 }
 
-TEST(SizedAnchors, FindWhoIsNearInThePlaneAndOnALine) {
+TEST(SizedReferenceCells, FindWhoIsNearInThePlaneAndOnALine) {
   expect_same_found<2>(500, 0, 0, 0);
   expect_same_found<1>(60, 0, 0, 0);
 }
 
-/// Spheres of ten to one, not settled since the start: who can be touched while the lists last.
+/// Spheres of ten to one, whose lists are those of the start: which can be touched while these
+/// last.
 template <int Dim>
 void expect_all_on_lists(double side, double shear_rate) {
   support::Dice dice(3);
@@ -200,7 +201,7 @@ void expect_all_on_lists(double side, double shear_rate) {
   }
 }
 
-TEST(SizedAnchors, PutOnListsWhomSpheresCanTouch) {
+TEST(SizedReferenceCells, PutOnListsWhomSpheresCanTouch) {
   for (const double shear_rate : {0.0, 1.0}) {
     expect_all_on_lists<3>(5.2, shear_rate);
     expect_all_on_lists<2>(12, shear_rate);

@@ -13,7 +13,7 @@ namespace zenosphere {
 
 /// The cells of a box, as a search for reference positions sees them.
 template <int Dim>
-struct AnchorGrid {
+struct ReferenceGrid {
   std::array<int, Dim> cell_grains{};  ///< sides of a cell, rounded
   double grain = 0;                    ///< diameters
   double volume = 0;                   ///< of the box, diameters^Dim
@@ -30,11 +30,11 @@ struct AnchorGrid {
 /// Source: Ogarko & Luding, Comput. Phys. Commun. 183 (2012) 931, with one grid for each class.
 /// That one cell of the coarsest grid is divided by whole numbers is ours.
 template <int Dim>
-class SizedAnchors {
+class SizedReferenceCells {
  public:
   /// \param radii  of the spheres, diameters; at least one
-  SizedAnchors(const SlidingCells<Dim>& cells, const AnchorGrid<Dim>& grid,
-               std::span<const double> radii);
+  SizedReferenceCells(const SlidingCells<Dim>& cells, const ReferenceGrid<Dim>& grid,
+                      std::span<const double> radii);
 
   /// \param cell  in which the sphere is at home
   void insert(std::int32_t sphere, std::int32_t cell, const ReferencePosition& reference);
@@ -100,7 +100,7 @@ class SizedAnchors {
   void find_rows(const SlidingCells<Dim>& cells, const Viewer& viewer, const Class& sizes) const;
   void add_parts(std::int32_t cell, Row row, int distance, const Class& sizes) const;
 
-  AnchorGrid<Dim> grid_;
+  ReferenceGrid<Dim> grid_;
   std::vector<Class> classes_;     ///< the largest spheres first
   std::vector<Size> sizes_;        ///< of each sphere
   mutable std::vector<Row> rows_;  ///< scratch

@@ -1,4 +1,4 @@
-#include "engine/sized_anchors.hpp"
+#include "engine/sized_reference_cells.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -38,8 +38,9 @@ int parts_for(double width, double volume, int dimension) {
 }  // namespace
 
 template <int Dim>
-SizedAnchors<Dim>::SizedAnchors(const SlidingCells<Dim>& cells, const AnchorGrid<Dim>& grid,
-                                std::span<const double> radii)
+SizedReferenceCells<Dim>::SizedReferenceCells(const SlidingCells<Dim>& cells,
+                                              const ReferenceGrid<Dim>& grid,
+                                              std::span<const double> radii)
     : grid_(grid), sizes_(radii.size()) {
   std::vector<double> sorted(radii.begin(), radii.end());
   std::sort(sorted.begin(), sorted.end(), std::greater<>());
@@ -56,8 +57,8 @@ SizedAnchors<Dim>::SizedAnchors(const SlidingCells<Dim>& cells, const AnchorGrid
 
 /// \param radii  of its spheres, the largest first
 template <int Dim>
-typename SizedAnchors<Dim>::Class SizedAnchors<Dim>::class_of(const SlidingCells<Dim>& cells,
-                                                              std::span<const double> radii) const {
+typename SizedReferenceCells<Dim>::Class SizedReferenceCells<Dim>::class_of(
+    const SlidingCells<Dim>& cells, std::span<const double> radii) const {
   Class sizes;
   sizes.least = grains_of(radii.back(), grid_.grain);
   const int span = grains_of(radii.front(), grid_.grain) - sizes.least;
@@ -75,7 +76,7 @@ typename SizedAnchors<Dim>::Class SizedAnchors<Dim>::class_of(const SlidingCells
 }
 
 template <int Dim>
-typename SizedAnchors<Dim>::Size SizedAnchors<Dim>::size_of(double radius) const {
+typename SizedReferenceCells<Dim>::Size SizedReferenceCells<Dim>::size_of(double radius) const {
   const int grains = grains_of(radius, grid_.grain);
   const auto fits = [&](const Class& sizes) { return grains >= sizes.least; };
   const auto sizes = std::find_if(classes_.begin(), classes_.end(), fits);
@@ -85,7 +86,7 @@ typename SizedAnchors<Dim>::Size SizedAnchors<Dim>::size_of(double radius) const
 }
 
 template <int Dim>
-int SizedAnchors<Dim>::Class::parts_of_a_cell() const {
+int SizedReferenceCells<Dim>::Class::parts_of_a_cell() const {
   int product = 1;
   for (const int number : parts) product *= number;
   return product;
@@ -93,8 +94,8 @@ int SizedAnchors<Dim>::Class::parts_of_a_cell() const {
 
 /// The part of a cell in which a reference position is.
 template <int Dim>
-std::int32_t SizedAnchors<Dim>::Class::part_of(std::int32_t cell,
-                                               const ReferencePosition& reference) const {
+std::int32_t SizedReferenceCells<Dim>::Class::part_of(std::int32_t cell,
+                                                      const ReferencePosition& reference) const {
   int part = 0;
   for (std::size_t axis = Dim; axis-- > 0;) {
     part = part * parts[axis] + part_along(axis, reference.place[axis]);
@@ -104,7 +105,7 @@ std::int32_t SizedAnchors<Dim>::Class::part_of(std::int32_t cell,
 
 /// Grains, rounded up as its code tells.
 template <int Dim>
-int SizedAnchors<Dim>::radius(std::int32_t sphere) const {
+int SizedReferenceCells<Dim>::radius(std::int32_t sphere) const {
   const Size size = this->size(sphere);
   const Class& sizes = classes_[size.number];
   return sizes.least + (size.code << sizes.shift);
@@ -112,27 +113,28 @@ int SizedAnchors<Dim>::radius(std::int32_t sphere) const {
 
 /// Under which a sphere is found: its number and the code of its size.
 template <int Dim>
-std::int32_t SizedAnchors<Dim>::label(std::int32_t sphere) const {
+std::int32_t SizedReferenceCells<Dim>::label(std::int32_t sphere) const {
   return sphere | size(sphere).code << Neighbour::sphere_bits;
 }
 
 template <int Dim>
-void SizedAnchors<Dim>::insert(std::int32_t sphere, std::int32_t cell,
-                               const ReferencePosition& reference) {
+void SizedReferenceCells<Dim>::insert(std::int32_t sphere, std::int32_t cell,
+                                      const ReferencePosition& reference) {
   Class& sizes = classes_[size(sphere).number];
   sizes.cells.insert(label(sphere), sizes.part_of(cell, reference), reference);
 }
 
 template <int Dim>
-void SizedAnchors<Dim>::remove(std::int32_t sphere, std::int32_t cell,
-                               const ReferencePosition& reference) {
+void SizedReferenceCells<Dim>::remove(std::int32_t sphere, std::int32_t cell,
+                                      const ReferencePosition& reference) {
   Class& sizes = classes_[size(sphere).number];
   sizes.cells.remove(label(sphere), sizes.part_of(cell, reference));
 }
 
 template <int Dim>
-std::span<Neighbour> SizedAnchors<Dim>::find(const SlidingCells<Dim>& cells, const Viewer& viewer,
-                                             std::vector<Neighbour>& nearby) const {
+std::span<Neighbour> SizedReferenceCells<Dim>::find(const SlidingCells<Dim>& cells,
+                                                    const Viewer& viewer,
+                                                    std::vector<Neighbour>& nearby) const {
   std::size_t found = 0;
   for (const Class& sizes : classes_) {
     find_rows(cells, viewer, sizes);
@@ -150,7 +152,8 @@ std::span<Neighbour> SizedAnchors<Dim>::find(const SlidingCells<Dim>& cells, con
 }
 
 template <int Dim>
-void SizedAnchors<Dim>::prefetch(const SlidingCells<Dim>& cells, const Viewer& viewer) const {
+void SizedReferenceCells<Dim>::prefetch(const SlidingCells<Dim>& cells,
+                                        const Viewer& viewer) const {
   constexpr std::int32_t most_in_cache = 1024;
   for (const Class& sizes : classes_) {
     if (sizes.parts_of_a_cell() * cells.count() <= most_in_cache) continue;
@@ -161,8 +164,8 @@ void SizedAnchors<Dim>::prefetch(const SlidingCells<Dim>& cells, const Viewer& v
 
 /// Finds the rows of parts in which spheres of a class can be near.
 template <int Dim>
-void SizedAnchors<Dim>::find_rows(const SlidingCells<Dim>& cells, const Viewer& viewer,
-                                  const Class& sizes) const {
+void SizedReferenceCells<Dim>::find_rows(const SlidingCells<Dim>& cells, const Viewer& viewer,
+                                         const Class& sizes) const {
   const int distance = radius(viewer.sphere) + sizes.most + viewer.beyond;
   const auto& grains = grid_.cell_grains;
   typename SlidingCells<Dim>::Reach columns;
@@ -172,7 +175,7 @@ void SizedAnchors<Dim>::find_rows(const SlidingCells<Dim>& cells, const Viewer& 
     const int aside = distance + (layers != 0 ? viewer.slide : 0);
     columns[layer] = {floor_of_quotient(middle - aside, grains[0]),
                       floor_of_quotient(middle + aside, grains[0])};
-    if (grid_.is_closed_along_x) {  // beyond the walls there is nobody
+    if (grid_.is_closed_along_x) {  // beyond the walls there are no spheres
       columns[layer] = {std::max(columns[layer].from, -1), std::min(columns[layer].to, 1)};
     }
   }
@@ -209,8 +212,8 @@ void SizedAnchors<Dim>::find_rows(const SlidingCells<Dim>& cells, const Viewer& 
 ///
 /// \param row  in which its place is from the lower corner of that cell
 template <int Dim>
-void SizedAnchors<Dim>::add_parts(std::int32_t cell, Row row, int distance,
-                                  const Class& sizes) const {
+void SizedReferenceCells<Dim>::add_parts(std::int32_t cell, Row row, int distance,
+                                         const Class& sizes) const {
   std::array<int, 3> first{};
   std::array<int, 3> last{};
   std::array<int, 3> parts{1, 1, 1};
@@ -231,7 +234,7 @@ void SizedAnchors<Dim>::add_parts(std::int32_t cell, Row row, int distance,
   }
 }
 
-#define ZENOSPHERE_INSTANTIATE(Dim) template class SizedAnchors<Dim>;
+#define ZENOSPHERE_INSTANTIATE(Dim) template class SizedReferenceCells<Dim>;
 ZENOSPHERE_FOR_EACH_DIMENSION(ZENOSPHERE_INSTANTIATE)
 #undef ZENOSPHERE_INSTANTIATE
 
