@@ -34,8 +34,9 @@ std::string name_of_page(const CommandEntry& command) {
 }
 
 std::string heading(const std::string& name, const std::string& meaning) {
-  return fmt::format(".TH {} 1 \"\" \"zenosphere {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n",
-                     roff(name), build_info::program_version, roff(name), roff(meaning));
+  return fmt::format(
+      ".TH {} 1 \"\" \"zenosphere {}\" \"User Commands\"\n.ad l\n.SH NAME\n{} \\- {}\n", roff(name),
+      build_info::program_version, roff(name), roff(meaning));
 }
 
 std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR"; }

@@ -246,6 +246,8 @@ void Spheres<Dim, Real>::turn() {
                                                                        const Real&);              \
   template void Spheres<Dim, Real>::put_reference(std::int32_t, const Real&,                      \
                                                   const Vec<Dim, Real>&);                         \
+  template ReferencePosition::Place Spheres<Dim, Real>::place_in_cell(const Vec<Dim, Real>&,      \
+                                                                      std::int32_t) const;        \
   template Vec<Dim, Real> Spheres<Dim, Real>::corner(std::int32_t) const;                         \
   template PeriodicImage Spheres<Dim, Real>::go_home(Sphere&, const Real&, const Vec<Dim, Real>&) \
       const;                                                                                      \

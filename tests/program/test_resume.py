@@ -100,7 +100,8 @@ def test_run_cut_off_again_and_again_ends_with_the_same_bits(program, system):
     size, cuts = 1_000_000, 0
     while program(*words, "--quiet", code=None, preexec_fn=file_size_limit(size)).returncode:
         told = json.loads(program("info", "parts.h5", "--json").stdout)["file"]
-        assert not told["complete"] and told["last_collision"] % 7 == 0
+        assert not told["complete"]
+        assert told["last_collision"] % 7 == 0 or told["last_collision"] == LIMITS["run.collisions"]
         words, size, cuts = ["resume", "parts.h5"], size + 500_000, cuts + 1
     assert cuts >= 3
     assert differences(program.folder / "parts.h5", whole) == []

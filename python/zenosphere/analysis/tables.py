@@ -7,7 +7,6 @@ import numpy as np
 
 from ..csv_file import write_csv
 from ..errors import OutputError
-from .displacements import FEWEST_LAGS
 
 SCALARS = (  # key of the result, key in it, what it is called
     ("granular_temperature", "value", "granular temperature"),
@@ -45,6 +44,7 @@ def as_text(results):
             known = "" if error is None else f" +- {error:.2g}"
             lines.append(f"  {row['quantity']:32} {value:.6g}{known}")
     if results["velocity_autocorrelation"] is None:
+        from .displacements import FEWEST_LAGS  # here: the command has to load without SciPy
         lines.append(f"  velocity autocorrelation and self-diffusion need {FEWEST_LAGS + 1} snapshots or"
                      " more at equal intervals (output.snapshot_interval, or"
                      " measure.sampling_interval)")
