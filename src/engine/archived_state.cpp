@@ -37,7 +37,8 @@ Spheres<Dim, Real>::Spheres(Archived archived, const ShearBox<Dim, Real>& box,
   require_archived(search_ || had_lists, "cells that are too wide to look in them");
   find_images();
   if (!had_lists) {
-    for (std::int32_t i = 0; i < count(); ++i) search_->insert(i, (*this)[i].cell);
+    for (std::int32_t i = 0; i < count(); ++i)
+      search_->insert(i, cells_.coordinates((*this)[i].cell));
     return;
   }
   if (!was_wide) list_range_ = list_range_in_crowd(box, count(), sizes_of(grains_));

@@ -1,63 +1,80 @@
 #include "engine/cell_members.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <utility>
 
 namespace zenosphere {
 
-CellMembers::CellMembers(std::int32_t cells) : chunks_(static_cast<std::size_t>(cells)) {}
+namespace {
+
+bool is_empty(std::uint32_t place) { return (place & CellPlace::empty) != 0; }
+
+std::int32_t sphere_at(std::uint32_t place) {
+  return static_cast<std::int32_t>(place & Neighbour::sphere_mask);
+}
+
+}  // namespace
+
+CellMembers::CellMembers(std::int32_t cells, std::int32_t spheres)
+    : places_(2 * static_cast<std::size_t>(cells) + slack, CellPlace::empty),
+      next_(static_cast<std::size_t>(spheres), none) {}
+
+/// What stands at the place of a sphere.
+std::uint32_t CellMembers::place_for(std::int32_t sphere) const {
+  const auto number = static_cast<std::uint32_t>(sphere);
+  return next_[number] == none ? number : number | CellPlace::more;
+}
 
 void CellMembers::insert(std::int32_t sphere, std::int32_t cell) {
-  Chunk* last = &chunks_[static_cast<std::size_t>(cell)];
-  std::size_t chunks = 1;
-  for (; last->next != none; ++chunks) last = &further(last->next);
-  if (last->count == places) {
-    last = &append_to(*last);
-    longest_ = std::max(longest_, chunks + 1);
+  std::uint32_t* const places = this->places(cell);
+  next(sphere) = none;
+  for (std::uint32_t* place : {places, places + 1}) {
+    if (!is_empty(*place)) continue;
+    *place = place_for(sphere);
+    return;
   }
-  last->spheres[last->count++] = static_cast<std::uint32_t>(sphere);
+  const std::int32_t second = sphere_at(places[1]);
+  next(sphere) = next(second);
+  next(second) = sphere;
+  places[1] = place_for(second);
+  std::size_t members = 2;
+  for (std::int32_t other = sphere; other != none; other = next(other)) ++members;
+  most_ = std::max(most_, members);
 }
 
-/// The last sphere of the cell takes the free place.
 void CellMembers::remove(std::int32_t sphere, std::int32_t cell) {
-  std::uint32_t* place = nullptr;
-  Chunk* before_last = nullptr;
-  Chunk* last = &chunks_[static_cast<std::size_t>(cell)];
-  for (;;) {
-    const auto end = last->spheres.begin() + last->count;
-    const auto found = std::find(last->spheres.begin(), end, static_cast<std::uint32_t>(sphere));
-    if (found != end) place = &*found;
-    if (last->next == none) break;
-    before_last = last;
-    last = &further(last->next);
+  std::uint32_t* const places = this->places(cell);
+  const std::int32_t second = sphere_at(places[1]);
+  if (!is_empty(places[1]) && second == sphere) {
+    const std::int32_t third = next(second);
+    places[1] = third == none ? CellPlace::empty : place_for(third);
+    return;
   }
-  assert(place);
-  *place = last->spheres[--last->count];
-  if (last->count == 0 && before_last) {
-    unused_.push_back(std::exchange(before_last->next, none));
+  const bool is_first = !is_empty(places[0]) && sphere_at(places[0]) == sphere;
+  if (is_first && (is_empty(places[1]) || next(second) == none)) {
+    places[0] = CellPlace::empty;
+    return;
   }
+  // One that has no place leaves those that follow the second, or takes the place of the first.
+  std::int32_t before = second;
+  while (!is_first && next(before) != sphere) before = next(before);
+  const std::int32_t leaves = next(before);
+  assert(leaves != none);
+  next(before) = next(leaves);
+  places[1] = place_for(second);
+  if (!is_first) return;
+  next(leaves) = none;
+  places[0] = place_for(leaves);
 }
 
-Neighbour* CellMembers::find_further(const Chunk& first, std::uint32_t seen,
-                                     Neighbour* found) const {
-  for (std::int32_t next = first.next; next != none;) {
-    const Chunk& chunk = further_[static_cast<std::size_t>(next)];
-    found = copy(chunk, seen, found);
-    next = chunk.next;
+void CellMembers::repeat(std::int32_t cell, std::int32_t copy) {
+  static const std::uint32_t one_period =
+      Neighbour(0, PeriodicImage(std::array{1}, 0)).packed() - Neighbour(0, {}).packed();
+  for (const int k : {0, 1}) {
+    const std::uint32_t place = places(cell)[k];
+    places(copy)[k] = is_empty(place) ? place : place + one_period;
   }
-  return found;
-}
-
-/// Gives a cell, whose last chunk this is, one more.
-CellMembers::Chunk& CellMembers::append_to(Chunk& last) {
-  if (unused_.empty()) {
-    last.next = static_cast<std::int32_t>(further_.size());  // before further_ moves, and `last`
-    return further_.emplace_back();
-  }
-  last.next = unused_.back();
-  unused_.pop_back();
-  return further(last.next);
 }
 
 }  // namespace zenosphere

@@ -38,93 +38,95 @@ typename CellSearch<Dim>::Reach CellSearch<Dim>::reach(const SlidingCells<Dim>& 
   return reach;
 }
 
-/// A search that writes one run of cells after the other.
 template <int Dim>
-class CellSearch<Dim>::Found {
- public:
-  explicit Found(const CellSearch& search) : search_(search), end_(search.nearby_.data()) {}
-
-  void add(const Reach& reach, const Rows& rows, const SlidingCells<Dim>& cells,
-           const Steps<Dim>& home) {
-    cells.for_each_run(home, reach, rows,
-                       [&](std::int32_t first, std::int32_t last, PeriodicImage periodic_image,
-                           const Steps<Dim>&) {
-                         end_ = search_.members_.find(first, last, periodic_image, end_);
-                       });
-  }
-  std::span<const Neighbour> all() const {
-    Neighbour* const begin = search_.nearby_.data();
-    if (end_ != begin) std::fill_n(end_, 3, end_[-1]);
-    return {begin, end_};
-  }
-
- private:
-  const CellSearch& search_;
-  Neighbour* end_;
-};
-
-template <int Dim>
-void CellSearch<Dim>::insert(std::int32_t sphere, std::int32_t cell) {
-  members_.insert(sphere, cell);
-  const std::size_t most = most_cells_around * members_.room() + CellMembers::slack;
+void CellSearch<Dim>::insert(std::int32_t sphere, const Steps<Dim>& cell) {
+  members_.insert(sphere, rows_.index(cell));
+  repeat(cell);
+  const std::size_t most = most_cells_around * members_.most() + CellMembers::slack;
   if (nearby_.size() < most) nearby_.resize(most);
+}
+
+template <int Dim>
+void CellSearch<Dim>::remove(std::int32_t sphere, const Steps<Dim>& cell) {
+  members_.remove(sphere, rows_.index(cell));
+  repeat(cell);
+}
+
+/// The first cells of a row stand once more behind its end.
+template <int Dim>
+void CellSearch<Dim>::repeat(const Steps<Dim>& cell) {
+  if (cell[0] >= CellRows<Dim>::repeated) return;
+  const std::int32_t number = rows_.index(cell);
+  members_.repeat(number, number + rows_.row_length());
+}
+
+template <int Dim>
+void CellSearch<Dim>::prefetch(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const {
+  Runs runs;
+  const CellRun* const end = rows_.around(cells, home, reach(cells, home), runs.data());
+  for (const CellRun* run = runs.data(); run != end; ++run) members_.prefetch(*run);
+}
+
+template <int Dim>
+std::span<const Neighbour> CellSearch<Dim>::members_of(std::span<const CellRun> runs) const {
+  Neighbour* const begin = nearby_.data();
+  Neighbour* const end = members_.find(runs, begin);
+  if (end != begin) std::fill_n(end, 3, end[-1]);
+  return {begin, end};
 }
 
 template <int Dim>
 std::span<const Neighbour> CellSearch<Dim>::around(const SlidingCells<Dim>& cells,
                                                    const Steps<Dim>& home) const {
-  Found found(*this);
-  found.add(reach(cells, home), Rows(), cells, home);
-  return found.all();
+  Runs runs;
+  return members_of({runs.data(), rows_.around(cells, home, reach(cells, home), runs.data())});
 }
 
 template <int Dim>
 std::span<const Neighbour> CellSearch<Dim>::beyond(const SlidingCells<Dim>& cells,
                                                    const Crossing& crossing) const {
-  const auto [axis, direction, from, to] = crossing;
+  const auto& [axis, direction, from, to] = crossing;
   Reach reach = this->reach(cells, to);
-  Rows rows;
-  Found found(*this);
+  Runs runs;
+  CellRun* end = runs.data();
   if (axis == 0) {
     for (auto& columns : reach) {
       columns.from = columns.to = direction > 0 ? columns.to : columns.from;
     }
+    end = rows_.around(cells, to, reach, end);
   } else if (axis == 1) {
-    rows.first_layer = rows.last_layer = direction;
-    add_columns_behind(crossing, reach, cells, found);
+    end = columns_behind(cells, crossing, reach, end);
+    end = rows_.in_layer(cells, to, direction, reach[static_cast<std::size_t>(direction + 1)], end);
   } else {
-    rows.first_row = rows.last_row = direction;
+    end = rows_.in_row(cells, to, direction, reach, end);
   }
-  found.add(reach, rows, cells, to);
-  return found.all();
+  return members_of({runs.data(), end});
 }
 
 /// Of the layer that a sphere has left it has seen the columns beside its own; with layers that
 /// slide one or two more are seen from the next layer.
 template <int Dim>
-void CellSearch<Dim>::add_columns_behind(const Crossing& crossing, const Reach& reach,
-                                         const SlidingCells<Dim>& cells, Found& found) const {
-  const auto [from, to] = reach[static_cast<std::size_t>(1 - crossing.direction)];
-  if (from == -1 && to == 1) return;
+CellRun* CellSearch<Dim>::columns_behind(const SlidingCells<Dim>& cells, const Crossing& crossing,
+                                         const Reach& reach, CellRun* runs) const {
+  const int behind = -crossing.direction;
+  const auto [from, to] = reach[static_cast<std::size_t>(behind + 1)];
+  if (from == -1 && to == 1) return runs;
   const int own = cells.reached(crossing.to, crossing.from).steps[0];
-  const Rows behind{.first_layer = -crossing.direction, .last_layer = -crossing.direction};
-  const auto add = [&](int first, int last) {
-    Reach columns;
-    columns.fill({first, last});
-    if (first <= last) found.add(columns, behind, cells, crossing.to);
-  };
-  add(from, own - 2);
-  add(own + 2, to);
+  if (from <= own - 2) {
+    runs = rows_.in_layer(cells, crossing.to, behind, {from, own - 2}, runs);
+  }
+  if (own + 2 <= to) runs = rows_.in_layer(cells, crossing.to, behind, {own + 2, to}, runs);
+  return runs;
 }
 
 template <int Dim>
 std::span<const Neighbour> CellSearch<Dim>::slid_near(const SlidingCells<Dim>& cells,
                                                       const Steps<Dim>& home) const {
-  Reach reach = this->reach(cells, home);
-  reach[2].to = reach[2].from;
-  Found found(*this);
-  found.add(reach, {.first_layer = 1, .last_layer = 1}, cells, home);
-  return found.all();
+  constexpr int above = 1;
+  const int column = reach(cells, home)[above + 1].from;
+  Runs runs;
+  return members_of(
+      {runs.data(), rows_.in_layer(cells, home, above, {column, column}, runs.data())});
 }
 
 template <int Dim>

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/cell_members.hpp"
+#include "engine/cell_rows.hpp"
 #include "engine/sliding_cells.hpp"
 
 namespace zenosphere {
@@ -32,16 +34,15 @@ class CellSearch {
     bool images = false;  ///< beyond the faces along y, which are displaced
   };
 
-  CellSearch(std::int32_t cells, Slides slides) : members_(cells), slides_(slides) {}
+  /// \param cells  number of cells along each axis
+  CellSearch(const Steps<Dim>& cells, std::int32_t spheres, Slides slides)
+      : rows_(cells), members_(rows_.count(), spheres), slides_(slides) {}
 
   static bool has_room_in(const Steps<Dim>& cells);
   void displace_images() { slides_.images = true; }
 
-  void insert(std::int32_t sphere, std::int32_t cell);
-  void move(std::int32_t sphere, std::int32_t from, std::int32_t to) {
-    members_.remove(sphere, from);
-    insert(sphere, to);
-  }
+  void insert(std::int32_t sphere, const Steps<Dim>& cell);
+  void remove(std::int32_t sphere, const Steps<Dim>& cell);
 
   /// All in the cell at `home` and around it: a sphere there is among its own neighbours. It never
   /// approaches itself.
@@ -70,14 +71,18 @@ class CellSearch {
   /// The columns of the layers below, beside and above in which a sphere sees others.
   Reach reach(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;
 
-  const CellMembers& members() const { return members_; }
+  /// Prefetches the cells around one.
+  void prefetch(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;
 
  private:
-  using Rows = typename SlidingCells<Dim>::Rows;
-  class Found;
-  void add_columns_behind(const Crossing& crossing, const Reach& reach,
-                          const SlidingCells<Dim>& cells, Found& found) const;
+  using Runs = std::array<CellRun, CellRows<Dim>::most_runs>;
+  CellRun* columns_behind(const SlidingCells<Dim>& cells, const Crossing& crossing,
+                          const Reach& reach, CellRun* runs) const;
+  std::span<const Neighbour> members_of(std::span<const CellRun> runs) const;
 
+  void repeat(const Steps<Dim>& cell);
+
+  CellRows<Dim> rows_;
   CellMembers members_;
   Slides slides_;
   mutable std::vector<Neighbour> nearby_;  ///< scratch

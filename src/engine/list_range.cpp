@@ -79,11 +79,11 @@ int lists_a_cell(double distance, double width) {
 /// The same without lists; 0 where spheres are too close together for that, or too far apart.
 ///
 /// The fraction that they would fill if all were as large as the largest is what was measured: in 3
-/// dimensions, up to 0.15. No round number, so that rounding does not decide.
+/// dimensions, up to 0.25. No round number, so that rounding does not decide.
 double width_without_lists(double share, int dimension, double largest_diameter) {
-  constexpr double spheres_a_cell = 0.7;
-  constexpr double densest = 0.1625;
-  constexpr double least = 1.1;
+  constexpr double spheres_a_cell = 0.5;
+  constexpr double densest = 0.2775;
+  constexpr double least = 1.02;
   const double volume = largest_diameter * largest_diameter * largest_diameter;
   if (dimension != 3 || unit_sphere_volume(3) * volume / share > densest) return 0;
   const double width = std::max(std::cbrt(spheres_a_cell * share), least * largest_diameter);

@@ -42,7 +42,7 @@ inline constexpr std::int32_t most_alone = 400;
 
 /// Spheres that are new to one that crosses a face of its cell, of a third of the cells around:
 /// where there are more they are a crowd. In a gas there are some six.
-inline constexpr std::int32_t most_beyond_face = 60;
+inline constexpr std::int32_t most_beyond_face = 40;
 
 /// What suits so many spheres in a box that is cut into cells. Two spheres that may touch have
 /// reference positions within the largest diameter + 2 reach, which no cell may be narrower than.

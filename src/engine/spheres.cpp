@@ -121,7 +121,7 @@ void Spheres<Dim, Real>::place(const Configuration<Dim, Real>& start) {
   }
   for (std::int32_t i = 0; i < count(); ++i) {
     if (search_) {
-      search_->insert(i, (*this)[i].cell);
+      search_->insert(i, cells_.coordinates((*this)[i].cell));
     } else {
       put_reference(i, 0, {});
       insert_reference(i);

@@ -293,6 +293,7 @@ class Spheres {
   };
   Exit exit(const Sphere& sphere, const Vector& in_cell) const;
   Real exit_at(std::int32_t i, const Real& when, const Real& until) const;
+  Vector place_in_own_cell(const Sphere& sphere, const Real& when) const;
   std::span<const Neighbour> cross_face(std::int32_t i, const Real& when);
   int column_beyond(const Sphere& sphere, const Steps<Dim>& from, int layers, int periods,
                     const Real& when) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "engine/spheres.hpp"
 #include "model/instantiate.hpp"
@@ -11,7 +12,8 @@ namespace zenosphere {
 /// From now on spheres are looked for cell by cell: they have to be put into their cells.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::use_cells() {
-  search_.emplace(cells_.count(), typename CellSearch<Dim>::Slides{box_.is_sheared(), false});
+  search_.emplace(cells_.cells(), count(),
+                  typename CellSearch<Dim>::Slides{box_.is_sheared(), false});
   double widest = 0;
   for (int axis = 0; axis < Dim; ++axis) {
     widest = std::max(widest, static_cast<double>(box_.cell_width()[axis]));
@@ -35,36 +37,55 @@ void Spheres<Dim, Real>::use_lists() {
   sized_cells_.emplace(cells_, grid, radii);
 }
 
+/// Where a sphere is at `when`, from the lower corner of its cell.
+template <int Dim, class Real>
+[[gnu::always_inline]] inline Vec<Dim, Real> Spheres<Dim, Real>::place_in_own_cell(
+    const Sphere& sphere, const Real& when) const {
+  const Steps<Dim> cell = cells_.coordinates(sphere.cell);
+  Vector place = sphere.position + sphere.velocity * (when - sphere.time);
+  for (int axis = 0; axis < Dim; ++axis) {
+    place[axis] -= cell[static_cast<std::size_t>(axis)] * box_.cell_width()[axis];
+  }
+  return place;
+}
+
+/// The first face ahead of a sphere. Which one it is, is as good as random: a processor would guess
+/// wrong at each branch.
+///
+/// \param in_cell  its place from the lower corner of its cell
+template <int Dim, class Real>
+[[gnu::always_inline]] inline typename Spheres<Dim, Real>::Exit Spheres<Dim, Real>::exit(
+    const Sphere& sphere, const Vector& in_cell) const {
+  Real first = std::numeric_limits<Real>::infinity();
+  int axis_of_first = 0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Real& speed = sphere.velocity[axis];
+    const Real face = box_.cell_width()[axis] * static_cast<int>(speed > 0);
+    // Of what rests the time is infinite, or no number: it is not less.
+    const Real time = (face - in_cell[axis]) / speed;
+    axis_of_first += static_cast<int>(time < first) * (axis - axis_of_first);
+    first = time < first ? time : first;
+  }
+  const bool stays = !(first < std::numeric_limits<Real>::infinity());
+  const int direction = sphere.velocity[axis_of_first] > 0 ? 1 : -1;
+  return {std::max(Real(0), first), axis_of_first, stays ? 0 : direction};
+}
+
 /// When a sphere leaves its cell: of a time after `until` only that it is after it.
 template <int Dim, class Real>
 Real Spheres<Dim, Real>::exit_at(std::int32_t i, const Real& when, const Real& until) const {
   const Sphere& sphere = (*this)[i];
-  const Vector in_cell = position_at(sphere, when) - corner(sphere.cell);
-  const Vector then = in_cell + sphere.velocity * (until - when);
-  bool stays = true;
-  for (int axis = 0; axis < Dim; ++axis) {
-    stays = stays && then[axis] >= 0 && then[axis] <= box_.cell_width()[axis];
+  const Vector in_cell = place_in_own_cell(sphere, when);
+  if constexpr (!std::is_floating_point_v<Real>) {  // dear numbers: mostly there is no need to
+                                                    // divide
+    const Vector then = in_cell + sphere.velocity * (until - when);
+    bool stays = true;
+    for (int axis = 0; axis < Dim; ++axis) {
+      stays = stays && then[axis] >= 0 && then[axis] <= box_.cell_width()[axis];
+    }
+    if (stays) return std::numeric_limits<Real>::infinity();
   }
-  if (stays) return std::numeric_limits<Real>::infinity();
   return when + exit(sphere, in_cell).time;
-}
-
-/// The first face ahead of a sphere: one at which it is already counts only where it goes through.
-///
-/// \param in_cell  its place from the lower corner of its cell
-template <int Dim, class Real>
-typename Spheres<Dim, Real>::Exit Spheres<Dim, Real>::exit(const Sphere& sphere,
-                                                           const Vector& in_cell) const {
-  Exit first;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const Real& speed = sphere.velocity[axis];
-    if (speed == 0) continue;
-    const Real distance =
-        speed > 0 ? Real(box_.cell_width()[axis] - in_cell[axis]) : Real(-in_cell[axis]);
-    const Real time = std::max(Real(0), Real(distance / speed));
-    if (time < first.time) first = {time, axis, speed > 0 ? 1 : -1};
-  }
-  return first;
 }
 
 /// Lets a sphere cross the face that it has come to. Its place decides nothing but the column of
@@ -74,7 +95,7 @@ typename Spheres<Dim, Real>::Exit Spheres<Dim, Real>::exit(const Sphere& sphere,
 template <int Dim, class Real>
 std::span<const Neighbour> Spheres<Dim, Real>::cross_face(std::int32_t i, const Real& when) {
   Sphere& sphere = (*this)[i];
-  const Exit exit = this->exit(sphere, position_at(sphere, when) - corner(sphere.cell));
+  const Exit exit = this->exit(sphere, place_in_own_cell(sphere, when));
   if (exit.direction == 0) return {};
   const Steps<Dim> from = cells_.coordinates(sphere.cell);
   Steps<Dim> to = from;
@@ -96,7 +117,8 @@ std::span<const Neighbour> Spheres<Dim, Real>::cross_face(std::int32_t i, const 
   }
   const PeriodicImage periodic_image(periods, layers);
   const std::int32_t cell = cells_.index(to);
-  search_->move(i, sphere.cell, cell);
+  search_->remove(i, from);
+  search_->insert(i, to);
   sphere.cell = cell;
   if (periodic_image != PeriodicImage()) {
     see_from(sphere, periodic_image);
@@ -134,9 +156,9 @@ void Spheres<Dim, Real>::place_anew(std::int32_t i, const Real& when) {
     return;
   }
   Sphere& sphere = (*this)[i];
-  const std::int32_t before = sphere.cell;
+  search_->remove(i, cells_.coordinates(sphere.cell));
   boxes(i) += periods_of(go_home(sphere, when, {}));
-  search_->move(i, before, sphere.cell);
+  search_->insert(i, cells_.coordinates(sphere.cell));
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                        \

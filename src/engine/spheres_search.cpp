@@ -72,12 +72,7 @@ void Spheres<Dim, Real>::prefetch_cells(std::int32_t i, const Real& when) const 
   Sphere sphere = (*this)[i];
   if (!search_) go_home(sphere, when, {});
   const Steps<Dim> home = cells_.coordinates(sphere.cell);
-  if (search_) {
-    cells_.for_each_run(home, search_->reach(cells_, home),
-                        [&](std::int32_t first, std::int32_t last, PeriodicImage,
-                            const Steps<Dim>&) { search_->members().prefetch(first, last); });
-    return;
-  }
+  if (search_) return search_->prefetch(cells_, home);
   if (sized_cells_) {
     const auto place = place_in_cell(position_at(sphere, when), sphere.cell);
     return sized_cells_->prefetch(cells_, viewer(i, home, place, when));

@@ -30,12 +30,13 @@ Gas gas_of(std::int32_t spheres, const Box& box, double restitution) {
   return Gas(box, support::random_gas(spheres, box.sides(), 1.5, 3), {restitution});
 }
 
-TEST(DiluteGas, HasNoListsBelowAFractionOf16PerCentInAllButSmallBoxes) {
+TEST(DiluteGas, HasNoListsBelowAFractionOf28PerCentInAllButSmallBoxes) {
   const auto looks_by_cells = [](std::int32_t spheres, double fraction) {
     return gas_of(spheres, box_of(spheres, fraction, 0), 1).looks_by_cells();
   };
-  for (const double fraction : {0.006, 0.05, 0.1, 0.16}) EXPECT_TRUE(looks_by_cells(400, fraction));
-  for (const double fraction : {0.005, 0.165, 0.2}) EXPECT_FALSE(looks_by_cells(400, fraction));
+  for (const double fraction : {0.006, 0.05, 0.1, 0.2, 0.275})
+    EXPECT_TRUE(looks_by_cells(400, fraction));
+  for (const double fraction : {0.004, 0.28, 0.3}) EXPECT_FALSE(looks_by_cells(400, fraction));
   EXPECT_FALSE(looks_by_cells(100, 0.1));
 }
 
@@ -50,8 +51,9 @@ TEST(DiluteGas, HasListsWhereSpheresFallOrDifferMuch) {
   mixture.grains.diameters.assign(400, 0.5);
   EXPECT_TRUE(Gas(box, mixture, {1.0}).looks_by_cells());
   mixture.grains.diameters.assign(400, 1);
-  mixture.grains.diameters[0] = 1.6;  // would fill 1.6^3 x 0.05 = 0.2
-  EXPECT_FALSE(Gas(box, mixture, {1.0}).looks_by_cells());
+  mixture.grains.diameters[0] = 1.8;  // would fill 1.8^3 x 0.05 = 0.29
+  const Box with_room_for_it = box_of(400, 0.05, 0, 1.1);
+  EXPECT_FALSE(Gas(with_room_for_it, mixture, {1.0}).looks_by_cells());
 }
 
 /// Rounding grows by up to twice the flight in each collision of a sphere: three of them at 0.05,
