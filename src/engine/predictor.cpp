@@ -44,11 +44,12 @@ void Predictor<Dim, Real>::find_meetings(const System<Dim, Real>& system, std::i
 template <int Dim, class Real>
 void Predictor<Dim, Real>::add_meetings(const System<Dim, Real>& system, std::int32_t i,
                                         std::span<const Neighbour> neighbours) {
-  if (const auto two = system.spheres.first_contacts(i, neighbours, system.clock.remainder())) {
+  const auto two = system.spheres.first_contacts(i, neighbours, system.clock.remainder());
+  if (!two) {
+    pending(i).add(one_by_one(system, i, neighbours));
+  } else if (two->meetings > 0) {
     pending(i).add({meeting(system, two->first, two->first_time),
                     meeting(system, two->second, two->second_time), two->meetings <= 2});
-  } else {
-    pending(i).add(one_by_one(system, i, neighbours));
   }
   schedule(system, i);
 }
