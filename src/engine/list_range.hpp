@@ -41,7 +41,7 @@ Sizes sizes_of(const Grains<Real>& grains) {
 inline constexpr std::int32_t most_alone = 400;
 
 /// Spheres that are new to one that crosses a face of its cell, of a third of the cells around:
-/// where there are more they are a crowd. In a gas there are some six.
+/// where there are more they are a crowd. In a gas there are some five.
 inline constexpr std::int32_t most_beyond_face = 40;
 
 /// What suits so many spheres in a box that is cut into cells. Two spheres that may touch have

@@ -135,11 +135,11 @@ TEST(DiluteGas, GoesOnFromAnArchiveBitForBit) {
 
 TEST(DiluteGas, GetsListsWhereItCrowdsTogether) {
   // 12^3 spheres on a lattice with 1.02 between them, in one corner of a box that they fill to
-  // 0.05.
+  // 0.03.
   constexpr int side = 12;
   constexpr std::int32_t spheres = side * side * side;
   for (const double shear_rate : {0.0, 1.0}) {
-    const Box box = box_of(spheres, 0.05, shear_rate);
+    const Box box = box_of(spheres, 0.03, shear_rate);
     State start = support::random_gas(spheres, {{200, 200, 200}}, 1, 3);
     for (int i = 0; i < spheres; ++i) {
       const std::array<int, 3> place{i % side, i / side % side, i / side / side};
