@@ -1,6 +1,5 @@
 // States of the engine to and from archives: what a checkpoint keeps, and which states can be.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -26,43 +25,10 @@ Spheres<Dim, Real>::Spheres(Archived archived, const ShearBox<Dim, Real>& box,
   grains_.require_fit(spheres_.size());
   read_spins(archive);
   for (const Sphere& sphere : spheres_) require_possible(sphere);
-  const auto references = archive.template next<std::vector<ReferencePosition>>();
   const auto whole_slide = archive.template next<std::int32_t>();
   require_archived(whole_slide >= 0 && whole_slide < box.cells()[0], "layers that left the box");
-  cells_.slide_to(whole_slide);
+  sliding_box_.slide_to(whole_slide);
   read_images(archive);
-  const bool was_wide = archive.template next<bool>();
-  require_archived(list_range_.is_wide || !was_wide, "balls as wide as there are none");
-  const bool had_lists = archive.template next<bool>();
-  require_archived(search_ || had_lists, "cells that are too wide to look in them");
-  find_images();
-  if (!had_lists) {
-    for (std::int32_t i = 0; i < count(); ++i)
-      search_->insert(i, cells_.coordinates((*this)[i].cell));
-    return;
-  }
-  if (!was_wide) list_range_ = list_range_in_crowd(box, count(), sizes_of(grains_));
-  if (search_) use_lists();
-  require_archived(references.size() == spheres_.size(),
-                   "reference positions of another number of spheres");
-  for (std::int32_t i = 0; i < count(); ++i) {
-    reference(i) = references[static_cast<std::size_t>(i)];
-    for (const int place : reference(i).place) {
-      require_archived(place >= 0 && place <= ReferenceCells::grains_a_cell,
-                       "a reference position outside of its cell");
-    }
-    insert_reference(i);
-    for (const auto packed : archive.template next<std::vector<std::uint32_t>>()) {
-      const auto neighbour = Neighbour::from_packed(packed);
-      const std::int32_t j = neighbour.sphere();
-      require_archived(j > i && j < count() &&
-                           neighbour.periodic_image().code() < PeriodicImage::count &&
-                           lists_.of(i).size() < NeighbourLists::most &&
-                           lists_.of(j).size() < NeighbourLists::most,
-                       "neighbours that there are not");
-      lists_.add(i, neighbour);
-    }
-  }
 }
 
 template <int Dim, class Real>
@@ -83,10 +49,10 @@ template <int Dim, class Real>
 void Spheres<Dim, Real>::read_images(ArchiveReader& archive) {
   using std::abs;
   const auto offset = archive.template next<Real>();
-  const bool may_be_displaced = Dim > 1 && !box_.is_closed(0) && !box_.is_closed(1);
-  require_archived(offset == 0 || (may_be_displaced && 2 * abs(offset) <= box_.sides()[0]),
+  const bool may_be_displaced = Dim > 1 && !box().is_closed(0) && !box().is_closed(1);
+  require_archived(offset == 0 || (may_be_displaced && 2 * abs(offset) <= box().sides()[0]),
                    "images that there are not");
-  displace_images(offset);
+  sliding_box_.displace_images(offset);
   boxes_ = archive.template next<HugePageVector<Vec<Dim, double>>>();
   require_archived(boxes_.size() == spheres_.size(), "boxes of another number of spheres");
   for (const Vec<Dim, double>& boxes : boxes_) {
@@ -96,33 +62,17 @@ void Spheres<Dim, Real>::read_images(ArchiveReader& archive) {
   }
 }
 
-/// Of each pair the sphere with the lower number has the other on its list in the archive; the
-/// lists are sorted, since their order means nothing. Without lists the cells tell all.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::archive_to(ArchiveWriter& archive) const {
-  std::vector<ReferencePosition> references;
-  if (!search_) {
-    for (std::int32_t i = 0; i < count(); ++i) references.push_back(reference(i));
-  }
-  archive(spheres_, grains_, spins_, references, std::int32_t{cells_.whole_slide()}, offset_,
-          boxes_, list_range_.is_wide, !search_);
-  if (search_) return;
-  std::vector<std::uint32_t> later;
-  for (std::int32_t i = 0; i < count(); ++i) {
-    later.clear();
-    for (const Neighbour neighbour : lists_.of(i)) {
-      if (neighbour.sphere() > i) later.push_back(neighbour.packed());
-    }
-    std::sort(later.begin(), later.end());
-    archive(later);
-  }
+  archive(spheres_, grains_, spins_, std::int32_t{cells().whole_slide()}, sliding_box_.offset(),
+          boxes_);
 }
 
 /// Throws ArchiveError for a sphere that is nowhere in the box.
 template <int Dim, class Real>
 void Spheres<Dim, Real>::require_possible(const Sphere& sphere) const {
   using std::isfinite;
-  bool is_possible = sphere.cell >= 0 && sphere.cell < cells_.count() && isfinite(sphere.time);
+  bool is_possible = sphere.cell >= 0 && sphere.cell < cells().count() && isfinite(sphere.time);
   for (int axis = 0; axis < Dim; ++axis) {
     is_possible = is_possible && isfinite(sphere.velocity[axis]) && isfinite(sphere.position[axis]);
   }
@@ -211,6 +161,7 @@ Simulation<Dim, Real>::Simulation(const ShearBox<Dim, Real>& box, const ContactR
 template <int Dim, class Real>
 void Simulation<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   system_.spheres.archive_to(archive);
+  system_.search.archive_to(archive);
   predictor_.archive_events_to(archive);
   archive_course(*this, clock().state(), archive);
   if (law_) archive(*law_);

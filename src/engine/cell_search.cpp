@@ -7,13 +7,6 @@
 
 namespace zenosphere {
 
-namespace {
-
-/// Three rows of three, in each of which at most five cells are seen.
-constexpr std::size_t most_cells_around = 3 * 3 * 5;
-
-}  // namespace
-
 template <int Dim>
 bool CellSearch<Dim>::has_room_in(const Steps<Dim>& cells) {
   constexpr int least_along_x = 7;

@@ -62,6 +62,7 @@ class NeighbourLists {
   /// \param mean  length that lists are expected to have
   NeighbourLists(std::int32_t spheres, double mean);
 
+  std::int32_t spheres() const { return spheres_; }
   ReferencePosition& reference(std::int32_t i) { return head(i).reference; }
   const ReferencePosition& reference(std::int32_t i) const { return head(i).reference; }
 

@@ -30,7 +30,7 @@ Predictor<Dim, Real>::Predictor(const System<Dim, Real>& system, const ContactRu
 
 template <int Dim, class Real>
 void Predictor<Dim, Real>::find_meetings(const System<Dim, Real>& system, std::int32_t i) {
-  const auto neighbours = system.spheres.neighbours(i);
+  const auto neighbours = system.neighbours(i);
   if (const auto two = system.spheres.first_contacts(i, neighbours, system.clock.remainder())) {
     pending(i).set(meeting(system, two->first, two->first_time),
                    meeting(system, two->second, two->second_time), two->meetings <= 2);
@@ -183,7 +183,8 @@ template <int Dim, class Real>
 void Predictor<Dim, Real>::schedule(const System<Dim, Real>& system, std::int32_t i) {
   const Real& meeting = pending(i).first().time;
   calendar_.schedule(
-      i, std::min(meeting, system.spheres.rebuild_time(i, system.clock.remainder(), meeting)));
+      i, std::min(meeting, system.search.renewal_time(system.spheres, i, system.clock.remainder(),
+                                                      meeting)));
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Predictor<Dim, Real>;

@@ -35,7 +35,7 @@ class Predictor {
 
   /// Stores a sphere as it is now, finds its next meetings, and schedules the first event.
   void predict(System<Dim, Real>& system, std::int32_t i) {
-    system.spheres.advance(system.spheres[i], system.clock.remainder());
+    system.spheres.advance(i, system.clock.remainder());
     find_meetings(system, i);
     schedule(system, i);
   }

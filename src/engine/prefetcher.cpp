@@ -34,6 +34,7 @@ struct Prefetcher<Dim, Real>::Ahead {
   /// What is kept of a sphere.
   void own(std::int32_t i) const {
     system.spheres.prefetch(i);
+    system.search.prefetch(i);
     prefetch_line(&predictor.meetings(i));
     predictor.calendar().prefetch(i);
   }
@@ -42,7 +43,7 @@ struct Prefetcher<Dim, Real>::Ahead {
   void around(const Event& event) const {
     const Meeting<Real>& first = predictor.meetings(event.id).first();
     if (event.time < first.time) {
-      system.spheres.prefetch_cells(event.id, event.time);
+      system.search.prefetch_around(system.spheres, event.id, event.time);
     } else {
       partner(first);
     }
@@ -71,7 +72,9 @@ struct Prefetcher<Dim, Real>::Ahead {
     if (meeting.has_partner() && !system.wall(meeting.partner())) own(meeting.partner());
   }
   void neighbours(std::int32_t i) const {
-    system.spheres.prefetch_neighbours(i);
+    for (const Neighbour neighbour : system.neighbours(i)) {
+      system.spheres.prefetch(neighbour.sphere());
+    }
     if (observed) prefetch_line(observed + static_cast<std::size_t>(i) * observed_bytes);
   }
 };

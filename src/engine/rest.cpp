@@ -21,12 +21,13 @@ bool may_meet(const System<Dim, Real>& system, std::int32_t i, std::int32_t j) {
   const Vec<Dim, Real> velocity = system.spheres[j].velocity - system.spheres[i].velocity;
   const bool is_one_frame = !system.box().is_sheared() || system.spheres.share_layer(i, j);
   if (velocity == Vec<Dim, Real>{} && is_one_frame) return false;
-  Vec<Dim, Real> across = system.spheres.shortest_image(
-      system.spheres.position_at(system.spheres[j], system.clock.remainder()) -
-          system.spheres.position_at(system.spheres[i], system.clock.remainder()),
+  Vec<Dim, Real> across = system.spheres.sliding_box().shortest_image(
+      system.spheres.position_at(j, system.clock.remainder()) -
+          system.spheres.position_at(i, system.clock.remainder()),
       system.clock.remainder());
   for (int axis = 0; axis < Dim; ++axis) {
-    const bool is_displaced = system.box().is_sheared() || system.spheres.has_displaced_images();
+    const bool is_displaced =
+        system.box().is_sheared() || system.spheres.sliding_box().has_displaced_images();
     if (velocity[axis] != 0 || (axis == 0 && is_displaced)) across[axis] = 0;
   }
   const Real margin = approach_margin;
@@ -126,12 +127,10 @@ Real certainly_apart(const System<Dim, Real>& system, const Real& most, const Re
   }
   for (std::int32_t i = 0; i < system.count(); ++i) {
     for (std::int32_t j = 0; j < i && apart > least; ++j) {
-      const Vec<Dim, Real> displacement =
-          system.spheres.position_at(system.spheres[j], system.clock.remainder()) -
-          system.spheres.position_at(system.spheres[i], system.clock.remainder());
-      const Vec<Dim, Real> velocity =
-          system.spheres.velocity_at(system.spheres[j], system.clock.remainder()) -
-          system.spheres.velocity_at(system.spheres[i], system.clock.remainder());
+      const Vec<Dim, Real> displacement = system.spheres.position_at(j, system.clock.remainder()) -
+                                          system.spheres.position_at(i, system.clock.remainder());
+      const Vec<Dim, Real> velocity = system.spheres.velocity_at(j, system.clock.remainder()) -
+                                      system.spheres.velocity_at(i, system.clock.remainder());
       for (int axis = 0; axis < Dim; ++axis) {
         flight.displacement[axis] = static_cast<double>(displacement[axis]);
         flight.velocity[axis] = static_cast<double>(Real(velocity[axis] / fastest));

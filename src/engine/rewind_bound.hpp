@@ -45,7 +45,7 @@ class RewindBound {
     next_look_ = collisions + std::max<std::int64_t>(least_between, spheres.count());
     Real square = 0;
     for (std::int32_t i = 0; i < spheres.count(); ++i) {
-      const Vec<Dim, Real> velocity = spheres.velocity_at(spheres[i], when);
+      const Vec<Dim, Real> velocity = spheres.velocity_at(i, when);
       square = std::max(square, static_cast<Real>(dot(velocity, velocity)));
     }
     const Real fastest = sqrt(static_cast<Real>(square + least_square_));

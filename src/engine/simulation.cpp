@@ -105,7 +105,8 @@ NextCollision<Dim, Real> Simulation<Dim, Real>::collide(std::int32_t i) {
   collision.i = a;
   collision.j = b;
   collision.overlapping = meeting.is_overlap();
-  const Neighbour neighbour = wall ? Neighbour() : system_.spheres.neighbour(a, b, when);
+  const Neighbour neighbour =
+      wall ? Neighbour() : system_.search.neighbour(system_.spheres, a, b, when);
   collision.gap_before = gap_at_last_change(a, b, neighbour, when);
 
   system_.clock.set_to(when);
@@ -135,8 +136,8 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::meet(Collision<Dim, Real>& collision, Neighbour neighbour) {
   auto& a = system_.spheres[collision.i];
   auto& b = system_.spheres[collision.j];
-  system_.spheres.advance(a, clock().remainder());
-  system_.spheres.advance(b, clock().remainder());
+  system_.spheres.advance(collision.i, clock().remainder());
+  system_.spheres.advance(collision.j, clock().remainder());
   ++a.collisions;
   ++b.collisions;
   const auto motion = system_.spheres.motion_as_stored(collision.i, neighbour, clock().remainder());
@@ -202,16 +203,16 @@ void Simulation<Dim, Real>::rebuild_list(std::int32_t i) {
   ++rebuilds_;
   system_.clock.advance_to(predictor_.calendar().time(i));
   ++idle_events_;
-  if (is_idle() && system_.spheres.is_far_out(i, clock().remainder())) {
+  if (is_idle() && system_.search.is_far_out(system_.spheres, i, clock().remainder())) {
     come_home();
     leap();  // none has come near: at once, if none is near now
   } else {
     const Real& meeting = predictor_.meetings(i).first().time;
     predictor_.add_meetings(system_, i,
-                            system_.spheres.rebuild_list(i, clock().remainder(), meeting));
+                            system_.search.renew(system_.spheres, i, clock().remainder(), meeting));
   }
-  if (system_.spheres.is_crowded()) [[unlikely]] {
-    system_.spheres.rebuild_in_crowd(clock().remainder());
+  if (system_.search.is_crowded()) [[unlikely]] {
+    system_.search.renew_in_crowd(system_.spheres, clock().remainder());
     predictor_.predict_all(system_);
   }
   if (is_idle()) look_around();

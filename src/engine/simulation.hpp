@@ -156,7 +156,7 @@ class Simulation {
   /// The remainder of the clock behind which it will not set it back.
   const Real& earliest_rewind() const { return predictor_.rewind_bound().earliest(); }
   /// Whether neighbours are looked for cell by cell, without lists: in dilute systems.
-  bool looks_by_cells() const { return system_.spheres.looks_by_cells(); }
+  bool looks_by_cells() const { return system_.search.looks_by_cells(); }
   std::int64_t rebuilds() const { return rebuilds_; }
   std::int64_t stale_events() const { return stale_events_; }
 
@@ -171,7 +171,7 @@ class Simulation {
   /// Where a sphere is across the flow of a sheared box: its position now, but along x relative to
   /// its layer, and not wrapped.
   Vector place_across_flow(std::int32_t sphere) const {
-    return system_.spheres.position_at(system_.spheres[sphere], clock().remainder());
+    return system_.spheres.position_at(sphere, clock().remainder());
   }
 
   /// The state now, wrapped into the box.

@@ -25,10 +25,11 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::shift_times(double units) {
   const Real span = system_.clock.shift(units);
   system_.spheres.shift_times(span);
+  system_.search.shift_times(system_.spheres, span);
   predictor_.shift_times(span);
-  if (!system_.spheres.slide_near()) return;
+  if (!system_.search.slide_near(system_.spheres)) return;
   for (std::int32_t i = 0; i < spheres(); ++i) {
-    predictor_.add_meetings(system_, i, system_.spheres.slid_near(i));
+    predictor_.add_meetings(system_, i, system_.search.slid_near(system_.spheres, i));
   }
 }
 

@@ -22,7 +22,7 @@ void Simulation<Dim, Real>::kick(const std::vector<Vector>& changes) {
   come_home();
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Vector& change = changes[static_cast<std::size_t>(i)];
-    system_.spheres.advance(system_.spheres[i], clock().remainder());
+    system_.spheres.advance(i, clock().remainder());
     if (grains().is_immobile(i)) continue;
     system_.spheres[i].velocity += change;
     predictor_.rewind_bound().note_change(change, clock().remainder());
@@ -86,7 +86,7 @@ void Simulation<Dim, Real>::move_frame(const Vector& change) {
   come_home();
   system_.frame.speed_up(change, now(), lees_edwards_offset());
   for (std::int32_t i = 0; i < spheres(); ++i) {
-    system_.spheres.advance(system_.spheres[i], clock().remainder());
+    system_.spheres.advance(i, clock().remainder());
     system_.spheres[i].velocity -= change;
   }
   predictor_.predict_all(system_);
@@ -102,14 +102,15 @@ template <int Dim, class Real>
 void Simulation<Dim, Real>::leap() {
   constexpr int balls_each = 16;  // that are crossed, at least
   // time_apart() knows upright grids, unit spheres and straight ways only.
-  if (system_.spheres.has_displaced_images() || !system_.spheres.are_of_one_size()) return;
+  if (system_.spheres.sliding_box().has_displaced_images() || !system_.spheres.are_of_one_size())
+    return;
   if (system_.spheres.some_are_held()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) {
     const Meeting<Real>& first = predictor_.meetings(i).first();
     if (first.has_partner() && predictor_.is_stale(first, system_)) predictor_.predict(system_, i);
   }
   const std::int32_t leader = system_.fastest();
-  const Real least = balls_each * Real(system_.spheres.reach()) / system_.speed(leader);
+  const Real least = balls_each * Real(system_.search.reach()) / system_.speed(leader);
   constexpr double margin = 0x1p-32;
   Real longest = Real(longest_foreseen) / system_.speed(leader);
   for (std::int32_t i = 0; i < spheres(); ++i) {
@@ -131,11 +132,11 @@ void Simulation<Dim, Real>::come_home() {
   if (!is_idle() || box().is_sheared()) return;
   for (std::int32_t i = 0; i < spheres(); ++i) system_.spheres.bring_back(i, clock().remainder());
   for (std::int32_t i = 0; i < spheres(); ++i) {
-    system_.spheres.place_anew(i, clock().remainder());
+    system_.search.place_anew(system_.spheres, i, clock().remainder());
   }
   for (std::int32_t i = 0; i < spheres(); ++i) {
     // Not stored anew where that is not needed: it is rounded.
-    if (surroundings().walls) system_.spheres.advance(system_.spheres[i], clock().remainder());
+    if (surroundings().walls) system_.spheres.advance(i, clock().remainder());
     predictor_.find_meetings(system_, i);
     predictor_.schedule(system_, i);
   }

@@ -60,7 +60,7 @@ void Simulation<Dim, Real>::touch_wall(std::int32_t i, int wall) {
   Real& velocity = sphere.velocity[walls.axis];
   const Real speed = closing_speed<Real>(system_.wall_gap(i, wall, sphere.time),
                                          -outward * velocity, acceleration);
-  system_.spheres.advance(sphere, clock().remainder());
+  system_.spheres.advance(i, clock().remainder());
   const Real radius = system_.radius(i);
   sphere.position[walls.axis] = wall == 0 ? radius : Real(box().sides()[walls.axis] - radius);
   if (acceleration != 0) velocity = outward * speed;
@@ -78,7 +78,7 @@ Real Simulation<Dim, Real>::touch_oscillating_wall(std::int32_t i) {
   const auto arrival = gap.at(clock().remainder() - from);
   const Real rate = -closing_speed(arrival.gap, arrival.rate, arrival.acceleration);
   const auto state = walls.oscillation->at(system_.moving_walls->phase(now()));
-  system_.spheres.advance(sphere, clock().remainder());
+  system_.spheres.advance(i, clock().remainder());
   sphere.position[walls.axis] = system_.radius(i) + state.height;
   sphere.velocity[walls.axis] = state.speed + rate;
   system_.moving_walls->departure(i) = {now(), rate, sphere.collisions};

@@ -18,6 +18,7 @@ struct ReferenceGrid {
   double grain = 0;                    ///< diameters
   double volume = 0;                   ///< of the box, diameters^Dim
   bool is_closed_along_x = false;
+  double cell_width = 0;  ///< along x, diameters
 };
 
 /// The reference positions of spheres that differ in size: in one grid for each class of sizes.

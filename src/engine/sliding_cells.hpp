@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "engine/periodic_image.hpp"
 #include "model/shear_box.hpp"
 
 namespace zenosphere {
+
+/// Cells by which the layers below and above a cell are displaced against it, beside whole ones.
+struct LayerSlides {
+  double below;
+  double above;
+};
+
+/// Cells that are seen from one: three rows of three, in each of which there are at most five.
+inline constexpr std::size_t most_cells_around = 3 * 3 * 5;
 
 /// Which cells are neighbours while the layers slide.
 ///

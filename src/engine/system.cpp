@@ -13,6 +13,7 @@ System<Dim, Real>::System(const ShearBox<Dim, Real>& box, Configuration<Dim, Rea
                           const Surroundings<Dim, Real>& around)
     : frame(box, around.common_acceleration()),
       spheres(box, std::move(start), around.acceleration - frame.acceleration()),
+      search(spheres),
       surroundings(around),
       clock(box.clock_unit()) {
   assert(around.all_fall == (spheres.grains().immobile.empty() || around.acceleration == Vector{}));
@@ -24,6 +25,7 @@ System<Dim, Real>::System(const ShearBox<Dim, Real>& box, const Surroundings<Dim
                           ArchiveReader& archive)
     : frame(box, around.common_acceleration()),
       spheres(box, around.acceleration - frame.acceleration(), archive),
+      search(spheres, archive),
       surroundings(around),
       clock(box.clock_unit()) {
   make_walls();
@@ -76,7 +78,7 @@ typename System<Dim, Real>::CountedGap System<Dim, Real>::oscillating_gap(std::i
 
 template <int Dim, class Real>
 Real System<Dim, Real>::wall_place(std::int32_t i, const Real& when) const {
-  return spheres.position_at(spheres[i], when)[surroundings.walls->axis] - radius(i);
+  return spheres.position_at(i, when)[surroundings.walls->axis] - radius(i);
 }
 
 template <int Dim, class Real>
@@ -86,7 +88,7 @@ Real System<Dim, Real>::wall_gap(std::int32_t i, int wall, const Real& when) con
     return gap.at(when - from).gap;
   }
   const int axis = surroundings.walls->axis;
-  const Real place = spheres.position_at(spheres[i], when)[axis];
+  const Real place = spheres.position_at(i, when)[axis];
   const Real radius = this->radius(i);
   return wall == 0 ? place - radius : (box().sides()[axis] - radius) - place;
 }
@@ -101,8 +103,7 @@ Real System<Dim, Real>::widest_wall_gap(std::int32_t i, int wall, const Real& fr
   }
   const int axis = surroundings.walls->axis;
   const Real outward = wall == 0 ? -1 : 1;
-  return widest_gap<Real>(wall_gap(i, wall, from),
-                          -outward * spheres.velocity_at(spheres[i], from)[axis],
+  return widest_gap<Real>(wall_gap(i, wall, from), -outward * spheres.velocity_at(i, from)[axis],
                           -outward * surroundings.acceleration[axis]);
 }
 

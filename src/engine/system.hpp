@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "engine/configuration.hpp"
 #include "engine/moving_frame.hpp"
 #include "engine/moving_walls.hpp"
+#include "engine/neighbour_search.hpp"
 #include "engine/spheres.hpp"
 #include "engine/stride_clock.hpp"
 #include "engine/surroundings.hpp"
@@ -33,6 +35,7 @@ struct System {
 
   MovingFrame<Dim, Real> frame;
   Spheres<Dim, Real> spheres;
+  NeighbourSearch<Dim, Real> search;  ///< of these spheres
   Surroundings<Dim, Real> surroundings;
   StrideClock<Real> clock;
   std::int64_t collisions = 0;                         ///< so far
@@ -56,7 +59,7 @@ struct System {
   /// Of a sphere now, diameters/time; in its layer.
   Real speed(std::int32_t i) const {
     using std::sqrt;
-    const Vector velocity = spheres.velocity_at(spheres[i], clock.remainder());
+    const Vector velocity = spheres.velocity_at(i, clock.remainder());
     return sqrt(dot(velocity, velocity));
   }
   /// The fastest sphere; of several the first.
@@ -68,9 +71,13 @@ struct System {
     return fastest;
   }
 
+  /// The neighbours of a sphere.
+  std::span<const Neighbour> neighbours(std::int32_t i) const {
+    return search.neighbours(spheres, i);
+  }
   /// How sphere i sees the sphere j that it meets at `when`; of no meaning where j is a wall.
   Neighbour neighbour(std::int32_t i, std::int32_t j, const Real& when) const {
-    return wall(j) ? Neighbour() : spheres.neighbour(i, j, when);
+    return wall(j) ? Neighbour() : search.neighbour(spheres, i, j, when);
   }
   /// The distance that two spheres, or a sphere and a wall, have to close from a moment on to their
   /// contact, diameters. Where one falls off the other and back it is that at the moment or, if
@@ -109,12 +116,12 @@ struct System {
 
   /// Velocity relative to the imposed profile at the sphere's place now, diameters/time.
   Vector peculiar_velocity(std::int32_t i) const {
-    const Vector velocity = spheres.peculiar_velocity(spheres[i], clock.remainder());
+    const Vector velocity = spheres.peculiar_velocity(i, clock.remainder());
     return frame.moves() ? velocity + frame.velocity(clock.now()) : velocity;
   }
   /// Displacement of the upper image of the box along x, in [-side/2, side/2), diameters.
   Real lees_edwards_offset() const {
-    return spheres.lees_edwards_offset(clock.now().units, clock.remainder());
+    return spheres.sliding_box().lees_edwards_offset(clock.now().units, clock.remainder());
   }
   /// The state now, wrapped into the box.
   Configuration<Dim, Real> configuration() const;

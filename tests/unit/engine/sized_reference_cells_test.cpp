@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/list_range.hpp"
-#include "engine/spheres.hpp"
+#include "engine/neighbour_search.hpp"
 #include "support/gas.hpp"
 
 namespace zenosphere {
@@ -176,10 +176,13 @@ void expect_all_on_lists(double side, double shear_rate) {
     start.velocities.push_back({});
   }
   const ShearBox<Dim, double> box(sides, shear_rate, 1.6);
-  const Spheres<Dim, double> spheres(box, start, {});
+  Spheres<Dim, double> spheres(box, start, {});
+  const NeighbourSearch<Dim, double> search(spheres);
   for (std::int32_t i = 0; i < count; ++i) {
     std::set<std::int32_t> listed;
-    for (const Neighbour neighbour : spheres.neighbours(i)) listed.insert(neighbour.sphere());
+    for (const Neighbour neighbour : search.neighbours(spheres, i)) {
+      listed.insert(neighbour.sphere());
+    }
     for (std::int32_t j = 0; j < count; ++j) {
       if (j == i) continue;
       double square = 0;
@@ -189,7 +192,7 @@ void expect_all_on_lists(double side, double shear_rate) {
                                             side);
         square += along * along;
       }
-      const double reach = spheres.sigma(i, j) + 2 * spheres.reach();
+      const double reach = spheres.sigma(i, j) + 2 * search.reach();
       if (square < reach * reach) {
         EXPECT_TRUE(listed.contains(j)) << i << " and " << j;
       }

@@ -2,164 +2,35 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-#include <set>
-#include <vector>
-
-#include "support/gas.hpp"
+#include <utility>
 
 namespace zenosphere {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
 TEST(Spheres, FallOnAParabola) {
-  const Spheres<2, double> spheres(ShearBox<2, double>({20, 20}, 0), {{{5, 10}}, {{1, 2}}},
-                                   {{0, -1}});
-  EXPECT_EQ(spheres.position_at(spheres[0], 2.0), (Vec<2, double>{{7, 12}}));  // 10 + 4 - 2
-  EXPECT_EQ(spheres.velocity_at(spheres[0], 2.0), (Vec<2, double>{{1, 0}}));
+  Spheres<2, double> spheres(ShearBox<2, double>({20, 20}, 0), {{{5, 10}}, {{1, 2}}}, {{0, -1}});
+  EXPECT_EQ(spheres.position_at(0, 2.0), (Vec<2, double>{{7, 12}}));  // 10 + 4 - 2
+  EXPECT_EQ(spheres.velocity_at(0, 2.0), (Vec<2, double>{{1, 0}}));
+  spheres.advance(0, 2.0);
+  EXPECT_EQ(spheres[0].time, 2);
+  EXPECT_EQ(spheres.position_at(0, 4.0), (Vec<2, double>{{9, 10}}));  // 12 + 0 - 2
 }
 
-TEST(Spheres, AreNeighboursAcrossAPeriodicFaceButNotAcrossWalls) {
-  const Configuration<1, double> ends{{{0.6}, {3.9}}, {{0}, {0}}};
-  const Spheres<1, double> ring(ShearBox<1, double>({5}, 0, 2.5), ends, {});
-  ASSERT_EQ(ring.neighbours(0).size(), 1u);
-  EXPECT_NEAR(ring.motion(0, ring.neighbours(0)[0], 0).dr[0], -1.7, 1e-15);  // 3.9 - 5 - 0.6
-  EXPECT_NEAR(ring.motion(0, ring.neighbour(0, 1, 0), 0).dr[0], -1.7, 1e-15);
-  const Spheres<1, double> line(ShearBox<1, double>({5}, 0, 2, 0), ends, {});
-  EXPECT_EQ(line.neighbours(0).size(), 0u);
-}
-
-/// Where the images of a place are in a plain periodic box, the place itself among them.
-std::vector<Vec<3, double>> images(const Vec<3, double>& sides) {
-  std::vector<Vec<3, double>> all;
-  for (const int x : {-1, 0, 1}) {
-    for (const int y : {-1, 0, 1}) {
-      for (const int z : {-1, 0, 1}) all.push_back({{x * sides[0], y * sides[1], z * sides[2]}});
-    }
-  }
-  return all;
-}
-
-/// Every pair whose reference positions are so near that they can touch while their lists last, in
-/// every image.
-TEST(Spheres, ListWhomTheyCanTouch) {
-  for (const double shear_rate : {0.0, 1.0}) {
-    for (const double side : {2.1, 3.7, 6.3}) {
-      const Vec<3, double> sides{{side, side, side}};
-      const ShearBox<3, double> box(sides, shear_rate);
-      const int count = static_cast<int>(0.3 * side * side * side);
-      const auto start = support::random_gas(count, sides, 1, 3);
-      const ListRange list_range = list_range_in(box, count);
-      const Spheres<3, double> spheres(box, start, {});
-      const double distance = 1 + 2 * list_range.reach;
-      for (std::int32_t i = 0; i < count; ++i) {
-        std::multiset<std::int32_t> expected;
-        for (std::int32_t j = 0; j < count; ++j) {
-          if (j == i) continue;
-          const auto dr = start.positions[static_cast<std::size_t>(j)] -
-                          start.positions[static_cast<std::size_t>(i)];
-          for (const Vec<3, double>& image : images(sides)) {
-            if (std::sqrt(dot(dr + image, dr + image)) < distance) expected.insert(j);
-          }
-        }
-        std::multiset<std::int32_t> listed;
-        for (const Neighbour neighbour : spheres.neighbours(i)) listed.insert(neighbour.sphere());
-        for (const std::int32_t j : expected) EXPECT_GE(listed.count(j), expected.count(j));
-        if (shear_rate == 0) {  // a margin of grains
-          EXPECT_LE(listed.size(), expected.size() + 2);
-        }
-      }
-    }
-  }
-}
-
-/// Rods that fly on together at a speed of 2, so far apart, around a ring.
-class FlyingRods {
- public:
-  FlyingRods(int count, double apart)
-      : box({count * apart}, 0, 3),
-        list_range(list_range_in(box, count)),
-        rods(box, start(count), {}) {}
-
-  double rebuild_time(std::int32_t i, double when) const {
-    return rods.rebuild_time(i, when, never);
-  }
-  void rebuild_list(std::int32_t i, double when, double meeting) {
-    rods.rebuild_list(i, when, meeting);
-  }
-
-  const ShearBox<1, double> box;
-  const ListRange list_range;
-  Spheres<1, double> rods;
-
- private:
-  Configuration<1, double> start(int count) const {
-    Configuration<1, double> start;
-    for (int i = 0; i < count; ++i) {
-      start.positions.push_back({{1 + i * box.sides()[0] / count}});
-      start.velocities.push_back({{2}});
-    }
-    return start;
-  }
-};
-
-TEST(Spheres, GetANewListWhereTheyLeaveTheirBall) {
-  FlyingRods ring(20, 1.5);
-  const double reach = ring.list_range.reach;
-  EXPECT_NEAR(ring.rebuild_time(0, 0), reach / 2, 1e-3);
-  ring.rebuild_list(19, 1.2, never);  // 29.5 + 2.4 is through the face
-  EXPECT_NEAR(ring.rods.position_at(ring.rods[19], 1.2)[0], 1.9, 1e-14);
-  EXPECT_EQ(ring.rods[19].position[0], -0.5);  // stored for time 0, as before
-  EXPECT_NEAR(ring.rebuild_time(19, 1.2), 1.2 + reach / 2, 1e-3);
-}
-
-TEST(Spheres, StayInTheirBallForLongerWhereTheyAreManyAndFarApart) {
-  FlyingRods ring(100, 6);
-  ASSERT_TRUE(ring.list_range.is_dilute);
-  const double reach = ring.list_range.reach;
-  // Through the middle of the ball, if there is no sphere; else to where they meet, and no further.
-  ring.rebuild_list(2, 1.2, never);
-  EXPECT_NEAR(ring.rebuild_time(2, 1.2), 1.2 + 1.9 * reach / 2, 1e-3);
-  ring.rebuild_list(2, 1.2, 1.3);
-  EXPECT_NEAR(ring.rebuild_time(2, 1.2), 1.3 + reach / 2, 1e-3);
-  ring.rebuild_list(2, 1.2, 1.1);  // a meeting that is late by rounding
-  EXPECT_NEAR(ring.rebuild_time(2, 1.2), 1.2 + reach / 2, 1e-3);
-  EXPECT_FALSE(FlyingRods(99, 6).list_range.is_dilute);
-  EXPECT_FALSE(FlyingRods(100, 1.5).list_range.is_dilute);
-}
-
-TEST(Spheres, BelongToTheCellOfTheirAnchor) {
-  FlyingRods ring(100, 6);
-  ring.rebuild_list(99, 2.2, never);  // at 599.4, and soon through the face
-  EXPECT_EQ(ring.rods[99].cell, 0);
-  EXPECT_NEAR(ring.rods.position_at(ring.rods[99], 2.2)[0], -0.6, 1e-12);
-  EXPECT_NEAR(ring.rods.configuration(0, 2.2).positions[99][0], 599.4, 1e-12);
-}
-
-TEST(Spheres, GetANewListHalfAUnitOfShearLater) {
-  const ShearBox<2, double> box({20, 20}, 0.5, 2);
-  const Spheres<2, double> spheres(box, {{{5, 10}}, {{0, 0}}}, {});
-  EXPECT_NEAR(spheres.rebuild_time(0, 0, never), box.clock_unit() / 2, 1e-6);
+TEST(Spheres, DoNotFallWhereTheyAreImmobile) {
+  Configuration<2, double> start{{{5, 10}, {9, 10}}, {{1, 2}, {1, 2}}};
+  start.grains.immobile = {1, 0};
+  const Spheres<2, double> spheres(ShearBox<2, double>({20, 20}, 0), start, {{0, -1}});
+  EXPECT_EQ(spheres.position_at(0, 2.0), (Vec<2, double>{{7, 14}}));
+  EXPECT_EQ(spheres.velocity_at(0, 2.0), (Vec<2, double>{{1, 2}}));
+  EXPECT_EQ(spheres.copy_at(0, 2.0).velocity, (Vec<2, double>{{1, 2}}));
+  EXPECT_EQ(spheres.position_at(1, 2.0), (Vec<2, double>{{11, 12}}));
+  EXPECT_TRUE(spheres.fall_apart(0, 1));
 }
 
 TEST(Spheres, KeepAPlaceBeyondAWallOnTheWall) {
   // A flight too far by rounding is not wrapped to the other wall.
   const Spheres<1, double> ball(ShearBox<1, double>({5}, 0, 1.5, 0), {{{0.5}}, {{-1}}}, {});
   EXPECT_EQ(ball.configuration(0, 1.0).positions[0][0], 0);
-}
-
-TEST(Spheres, SeeNobodyBeyondTheWallsHoweverNarrowTheBox) {
-  // One cell between the walls, seven times narrower than the distance of neighbours.
-  const ShearBox<2, double> strip({1.2, 1000}, 0, 9, 0);
-  const Configuration<2, double> start{{{0.6, 10}, {0.6, 14}, {0.6, 500}},
-                                       {{0, 0}, {0, 0}, {0, 0}}};
-  const Spheres<2, double> spheres(strip, start, {});
-  ASSERT_GT(list_range_in(strip, 3).distance, 7 * strip.cell_width()[0]);
-  ASSERT_EQ(spheres.neighbours(0).size(), 1u);
-  EXPECT_EQ(spheres.neighbours(0)[0], Neighbour(1, PeriodicImage()));
-  EXPECT_EQ(spheres.neighbours(2).size(), 0u);
 }
 
 }  // namespace
