@@ -7,7 +7,8 @@ import sqlite3
 import subprocess
 
 import pytest
-from sweeps import runs_done, wait_for
+from processes import wait_for
+from sweeps import runs_done
 
 SEARCH = """\
 [sweep]

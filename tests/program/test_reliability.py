@@ -10,6 +10,7 @@ import subprocess
 import h5py
 import pytest
 from conftest import forged
+from processes import MOST_SECONDS
 
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1
 
@@ -57,7 +58,7 @@ def test_folder_that_vanishes_ends_the_run_at_once(program):
     process.send_signal(signal.SIGSTOP)  # or it might take a file away first
     shutil.rmtree(program.folder)
     process.send_signal(signal.SIGCONT)
-    _, errors = process.communicate(timeout=10)
+    _, errors = process.communicate(timeout=MOST_SECONDS)
     assert process.returncode == 4 and "no longer there" in errors
     program.folder.mkdir()
 

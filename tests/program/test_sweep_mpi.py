@@ -7,7 +7,8 @@ import subprocess
 
 import pytest
 
-from sweeps import ENDLESS, has_worked, is_made, rows, wait_for
+from processes import MOST_SECONDS, has_worked, wait_for
+from sweeps import ENDLESS, is_made, rows
 
 
 def has_mpi(program):
@@ -53,6 +54,6 @@ def test_death_of_a_rank_ends_the_sweep_which_goes_on_later(sweep):
     rank = int(children.stdout.split()[-1])
     wait_for(lambda: has_worked(rank))
     os.kill(rank, signal.SIGKILL)
-    process.communicate(timeout=30)
+    process.communicate(timeout=MOST_SECONDS)
     assert process.returncode != 0
     assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"pending"}
