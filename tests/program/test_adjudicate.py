@@ -7,7 +7,6 @@ import subprocess
 
 import h5py
 import pytest
-
 from processes import MOST_SECONDS, has_worked, wait_for
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"

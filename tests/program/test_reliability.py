@@ -100,5 +100,6 @@ def test_checkpoint_from_somebody_else_does_no_harm(program):
 def test_script_finds_resumed_runs_bit_identical(program, checkout, script, system):
     done = subprocess.run(
         [checkout / "scripts" / "reliability" / script, "2", "--system", system], text=True,
-        capture_output=True, timeout=60, env={**os.environ, "ZENOSPHERE": str(program.command()[0])})
+        capture_output=True, timeout=MOST_SECONDS,
+        env={**os.environ, "ZENOSPHERE": str(program.command()[0])})
     assert done.stdout.startswith("2 of 2 ") and done.returncode == 0, done.stdout + done.stderr

@@ -12,7 +12,6 @@ import termios
 import h5py
 import numpy as np
 import pytest
-
 from processes import MOST_SECONDS, let_work, shown_until
 
 LOGGED = {"output.collision_log": "all", "output.snapshot_interval": 1}

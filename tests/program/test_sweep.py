@@ -269,7 +269,7 @@ def test_terminal_shows_one_progress_line(sweep):
 def test_script_finds_killed_sweeps_equal_to_undisturbed_ones(sweep, checkout):
     done = subprocess.run(
         [checkout / "scripts" / "reliability" / "kill-a-sweep", "1"], text=True, capture_output=True,
-        timeout=120, env={**os.environ, "ZENOSPHERE": str(sweep.command()[0])})
+        timeout=MOST_SECONDS, env={**os.environ, "ZENOSPHERE": str(sweep.command()[0])})
     assert done.stdout.startswith("1 of 1 ") and done.returncode == 0, done.stdout + done.stderr
 
 

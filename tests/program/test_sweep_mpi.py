@@ -20,7 +20,7 @@ def mpirun(program, ranks, *words):
     return subprocess.run(
         ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n", str(ranks),
          *program.command("sweep", *words)],
-        cwd=program.folder, capture_output=True, text=True, timeout=60)
+        cwd=program.folder, capture_output=True, text=True, timeout=MOST_SECONDS)
 
 
 def test_ranks_of_mpi_make_the_rows_that_threads_make(sweep):
