@@ -72,7 +72,7 @@ def crc32c(data):
     return value ^ 0xFFFFFFFF
 
 
-def test_checkpoint_from_somebody_else_does_no_harm(program):
+def test_checkpoint_of_unknown_origin_does_no_harm(program):
     program.keep({"system.spheres": 4, "system.solids_volume_fraction": 0.1, "run.collisions": 5})
     with h5py.File(program.folder / "out.h5") as file:
         state = file["zenosphere/checkpoint/state"][()].tobytes()

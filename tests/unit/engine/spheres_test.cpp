@@ -150,7 +150,7 @@ TEST(Spheres, KeepAPlaceBeyondAWallOnTheWall) {
   EXPECT_EQ(ball.configuration(0, 1.0).positions[0][0], 0);
 }
 
-TEST(Spheres, SeeNobodyBeyondTheWallsHoweverNarrowTheBox) {
+TEST(Spheres, SeeNothingBeyondTheWallsHoweverNarrowTheBox) {
   // One cell between the walls, seven times narrower than the distance of neighbours.
   const ShearBox<2, double> strip({1.2, 1000}, 0, 9, 0);
   const Configuration<2, double> start{{{0.6, 10}, {0.6, 14}, {0.6, 500}},
