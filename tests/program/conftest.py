@@ -9,6 +9,7 @@ from pathlib import Path
 import h5py
 import pytest
 
+from mixtures import MIXTURE
 from processes import MOST_SECONDS, let_work, wait_for
 from sweeps import SWEEP
 
@@ -121,6 +122,13 @@ class Program:
 @pytest.fixture
 def program(tmp_path):
     return Program(tmp_path)
+
+
+@pytest.fixture
+def mixture(program):
+    """The program in a folder with a mixture for its case."""
+    program.case.write_text(MIXTURE)
+    return program
 
 
 @pytest.fixture
