@@ -15,12 +15,12 @@ namespace zenosphere::bench {
 
 namespace {
 
-constexpr std::int32_t kSpheres = 4000;
-constexpr double kFraction = 0.3;
+constexpr std::int32_t gas_spheres = 4000;
+constexpr double gas_fraction = 0.3;
 
 GasRequest dense_gas(double restitution, double shear_rate) {
-  return {.start = {.spheres = kSpheres, .granular_temperature = 1},
-          .solids_volume_fraction = kFraction,
+  return {.start = {.spheres = gas_spheres, .granular_temperature = 1},
+          .solids_volume_fraction = gas_fraction,
           .restitution = restitution,
           .shear_rate = shear_rate};
 }
@@ -72,15 +72,15 @@ void calendar_events_of_a_collision(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK(calendar_events_of_a_collision)->Arg(kSpheres)->Arg(1000000);
+BENCHMARK(calendar_events_of_a_collision)->Arg(gas_spheres)->Arg(1000000);
 
 /// A kick that changes nothing makes a prediction for every sphere.
 void prediction_of_a_sphere(benchmark::State& state) {
   Gas gas = bench::gas(dense_gas(1, 0));
-  collide(gas, 10 * kSpheres);
-  const std::vector<Vec<3, double>> nothing(kSpheres);
+  collide(gas, 10 * gas_spheres);
+  const std::vector<Vec<3, double>> nothing(gas_spheres);
   for (auto _ : state) gas.kick(nothing);
-  state.SetItemsProcessed(state.iterations() * kSpheres);
+  state.SetItemsProcessed(state.iterations() * gas_spheres);
 }
 BENCHMARK(prediction_of_a_sphere);
 
@@ -88,7 +88,7 @@ BENCHMARK(prediction_of_a_sphere);
 void collision_of_a_gas(benchmark::State& state) {
   const auto shear_rate = static_cast<double>(state.range(0));
   Gas gas = bench::gas(dense_gas(shear_rate > 0 ? 0.9 : 1.0, shear_rate));
-  collide(gas, 10 * kSpheres);
+  collide(gas, 10 * gas_spheres);
   for (auto _ : state) collide(gas, 1);
   state.SetItemsProcessed(state.iterations());
 }

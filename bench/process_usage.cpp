@@ -29,9 +29,9 @@ ResidentMemory resident_memory() {
   std::ifstream status("/proc/self/status");
   ResidentMemory memory;
   for (std::string line; std::getline(status, line);) {
-    constexpr std::size_t kLabel = 6;  // "VmRSS:" or "VmHWM:", then kibibytes
-    if (line.starts_with("VmRSS:")) memory.now = 1024 * std::stoll(line.substr(kLabel));
-    if (line.starts_with("VmHWM:")) memory.peak = 1024 * std::stoll(line.substr(kLabel));
+    constexpr std::size_t label = 6;  // "VmRSS:" or "VmHWM:", then kibibytes
+    if (line.starts_with("VmRSS:")) memory.now = 1024 * std::stoll(line.substr(label));
+    if (line.starts_with("VmHWM:")) memory.peak = 1024 * std::stoll(line.substr(label));
   }
   if (memory.now == 0 || memory.peak == 0) {
     throw std::runtime_error("/proc/self/status: tells no memory of this process");

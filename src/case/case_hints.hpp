@@ -48,7 +48,7 @@ std::optional<std::string_view> hint_among(const std::array<Hint, Size>& hints,
   return std::nullopt;
 }
 
-/// What to write in place of a word that a choice does not have; nothing where nobody would know.
+/// What to write in place of a word that a choice does not have; nothing where none is known.
 template <class Choice>
 std::optional<std::string_view> hint_for_word(std::string_view typed) {
   if constexpr (std::is_same_v<Choice, DriveKind>) return hint_among(drive_hints, typed);

@@ -22,8 +22,8 @@ template <class Real>
 Calendar<Real>::Calendar(std::int32_t size)
     : times_(static_cast<std::size_t>(size), std::numeric_limits<Real>::infinity()),
       bin_count_(size),
-      bins_(std::min(kBinsInGroup, std::bit_ceil(static_cast<std::uint32_t>(size)))),
-      groups_(static_cast<std::size_t>(size) / kBinsInGroup + 1) {
+      bins_(std::min(bins_in_group, std::bit_ceil(static_cast<std::uint32_t>(size)))),
+      groups_(static_cast<std::size_t>(size) / bins_in_group + 1) {
   end_cycle();
 }
 
@@ -148,7 +148,7 @@ void Calendar<Real>::open_group() {
   constexpr std::ptrdiff_t ahead = 16;
   Group& group = this->group(open_end_);
   entries_ -= group.size();
-  open_end_ += std::int32_t{kBinsInGroup};
+  open_end_ += std::int32_t{bins_in_group};
   for (auto id = group.begin(); id != group.end(); ++id) {
     if (group.end() - id > ahead) prefetch(id[ahead]);
     const double offset = bins_after_origin(time(*id));

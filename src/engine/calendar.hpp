@@ -31,7 +31,7 @@ namespace zenosphere {
 template <class Real>
 class Calendar {
  public:
-  static constexpr std::int32_t kNone = -1;
+  static constexpr std::int32_t none = -1;
 
   struct Event {
     Real time;
@@ -44,7 +44,7 @@ class Calendar {
   /// Gives sphere `id` its event at `time`, in place of the one it had; infinity: no event.
   void schedule(std::int32_t id, const Real& time);
 
-  /// The sphere with the earliest event, or kNone if there is no event at all.
+  /// The sphere with the earliest event, or `none` if there is no event at all.
   std::int32_t earliest() {
     for (;;) {
       if (!heap_.empty()) [[unlikely]]
@@ -59,7 +59,7 @@ class Calendar {
       }
       const bool is_next = !heap_.empty() && bins_after_origin(heap_.front().time) < opened_;
       if (is_next) return heap_.front().id;
-      if (!go_on()) return kNone;
+      if (!go_on()) return none;
     }
   }
 
@@ -92,8 +92,8 @@ class Calendar {
     std::uint32_t size = 0;
     std::array<std::int32_t, room> ids;
   };
-  using Group = std::deque<std::int32_t>;              ///< gives back its memory when cleared
-  static constexpr std::uint32_t kBinsInGroup = 4096;  ///< which the cache can hold
+  using Group = std::deque<std::int32_t>;               ///< gives back its memory when cleared
+  static constexpr std::uint32_t bins_in_group = 4096;  ///< which the cache can hold
 
   bool is_void(const Event& event) const { return time(event.id) != event.time; }
   static bool is_before(const Event& a, const Event& b) {
@@ -108,7 +108,7 @@ class Calendar {
     return bins_[static_cast<std::size_t>(number) & (bins_.size() - 1)];
   }
   Group& group(std::int32_t number) {
-    return groups_[static_cast<std::uint32_t>(number) / kBinsInGroup];
+    return groups_[static_cast<std::uint32_t>(number) / bins_in_group];
   }
 
   bool go_on();

@@ -70,7 +70,7 @@ typename GrowingSpheres<Dim>::Round GrowingSpheres<Dim>::advance(double rate, do
   for (std::int32_t i = 0; i < count(); ++i) predict(i);
   while (collisions < most) {
     const std::int32_t i = calendar_.earliest();
-    const bool is_over = i == Calendar<double>::kNone || !(calendar_.time(i) < end);
+    const bool is_over = i == Calendar<double>::none || !(calendar_.time(i) < end);
     now_ = is_over ? end : calendar_.time(i);
     if (is_over) break;
     const Meeting meeting = meetings_[static_cast<std::size_t>(i)];

@@ -9,14 +9,14 @@ namespace zenosphere {
 namespace {
 
 /// Any odd constant makes a stream apart from the others of a seed; this one is that of xxHash.
-constexpr std::uint64_t kWallStream = 0x9e3779b185ebca87;
+constexpr std::uint64_t wall_stream = 0x9e3779b185ebca87;
 
 }  // namespace
 
 template <int Dim, class Real>
 MovingWalls<Dim, Real>::MovingWalls(const Walls<Real>& walls, std::int32_t spheres,
                                     const Real& clock_unit)
-    : clock_unit_(clock_unit), random_(walls.seed ^ kWallStream) {
+    : clock_unit_(clock_unit), random_(walls.seed ^ wall_stream) {
   if (!walls.oscillation) return;
   period_ = walls.oscillation->period();
   departures_.resize(static_cast<std::size_t>(spheres));

@@ -43,7 +43,7 @@ NextCollision<Dim, Real> Simulation<Dim, Real>::collision_until(double until) {
   for (std::int32_t patience = 2 * spheres() + 1024; patience > 0; --patience) {
     const std::int32_t i = predictor_.calendar().earliest();
     prefetcher_.look_ahead(system_, predictor_);
-    const bool has_event = i != Calendar<Real>::kNone;
+    const bool has_event = i != Calendar<Real>::none;
     // Sliding layers do not rest, nor does what is too slow for the exponents of its squares.
     if (!has_event) at_rest_ = !box().is_sheared() && move_as_one(system_);
     if (at_rest_) return NoCollision::at_rest;

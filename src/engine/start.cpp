@@ -21,7 +21,7 @@ namespace zenosphere {
 namespace {
 
 std::vector<Vec<3, double>> fcc_lattice(std::int32_t spheres, double side) {
-  constexpr double kBasis[4][3] = {{0, 0, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}};
+  constexpr double basis[4][3] = {{0, 0, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}};
   int n = 0;
   while (4 * n * n * n < spheres) ++n;
   if (4 * n * n * n != spheres) throw std::invalid_argument("fcc needs 4 n^3 spheres");
@@ -31,7 +31,7 @@ std::vector<Vec<3, double>> fcc_lattice(std::int32_t spheres, double side) {
   for (int z = 0; z < n; ++z) {
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x) {
-        for (const auto& site : kBasis) {
+        for (const auto& site : basis) {
           // A quarter of a spacing away from the faces of the box, so that no sphere is on one.
           positions.push_back({(x + site[0] + 0.25) * spacing, (y + site[1] + 0.25) * spacing,
                                (z + site[2] + 0.25) * spacing});
@@ -60,8 +60,8 @@ std::vector<Vec<Dim, double>> loose_places(std::int32_t spheres, const ShearBox<
                                            Random& random) {
   // At 0.3 the pushing is forgotten after a few collisions per sphere; at 0.5 the pressure is 3 %
   // too high for the first time unit and settles within the next half.
-  constexpr std::int64_t kMixingCollisionsPerSphere = 20;
-  constexpr double kMixingTime = 1.5;
+  constexpr std::int64_t collisions_per_sphere = 20;
+  constexpr double mixing_time = 1.5;
   Configuration<Dim, double> state;
   state.positions = loose_packing<Dim>(spheres, box, random);
   state.velocities = thermal_velocities<Dim>(spheres, 1.0, random);
@@ -70,12 +70,12 @@ std::vector<Vec<Dim, double>> loose_places(std::int32_t spheres, const ShearBox<
   const double width = fitting_cell_width({box.sides().components, spheres});
   const ShearBox<Dim, double> still(box.sides(), 0, width, box.closed_axis());
   Simulation<Dim, double> mixing(still, state, {1.0}, surroundings);
-  const std::int64_t collisions = kMixingCollisionsPerSphere * spheres / 2;
+  const std::int64_t collisions = collisions_per_sphere * spheres / 2;
   // A gas too thin to collide is mixed already: a unit speed crosses the box in its side.
   double longest = 0;
   for (int axis = 0; axis < Dim; ++axis) longest = std::max(longest, 20 * box.sides()[axis]);
   const auto is_mixed = [&] {
-    return mixing.collisions() >= collisions && mixing.has_reached(kMixingTime);
+    return mixing.collisions() >= collisions && mixing.has_reached(mixing_time);
   };
   while (!is_mixed() && !mixing.has_reached(longest)) {
     mixing.next_collision(longest);

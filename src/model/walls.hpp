@@ -47,6 +47,20 @@ struct WallImpact {
   bool rests = false;        ///< the sphere was let go at the least speed
 };
 
+/// A sphere as it hits one of the walls: no impulse yet.
+///
+/// \param side      0: lower, 1: upper wall
+/// \param velocity  of the sphere, along the normal relative to the wall, diameters/time
+template <int Dim, class Real>
+Impact<Dim, Real> wall_meeting(const Walls<Real>& walls, int side, const Vec<Dim, Real>& velocity,
+                               const Real& radius) {
+  Impact<Dim, Real> impact;
+  impact.normal[walls.axis] = side == 0 ? -1 : 1;
+  impact.distance = radius;
+  impact.normal_speed = dot(impact.normal, velocity);
+  return impact;
+}
+
 /// The bounce of a sphere that does not turn off one of the walls.
 ///
 /// The normal velocity is reversed and multiplied by the wall's restitution; the tangential
@@ -60,11 +74,8 @@ template <int Dim, class Real>
 WallImpact<Dim, Real> wall_impact(const Walls<Real>& walls, int side,
                                   const Vec<Dim, Real>& velocity, const Real& mass = Real(1),
                                   const Real& radius = Real(0.5), const Real& least = Real(0)) {
-  WallImpact<Dim, Real> result;
+  WallImpact<Dim, Real> result{wall_meeting(walls, side, velocity, radius), {}};
   Impact<Dim, Real>& impact = result.impact;
-  impact.normal[walls.axis] = side == 0 ? -1 : 1;
-  impact.distance = radius;
-  impact.normal_speed = dot(impact.normal, velocity);
   impact.impulse = impact.normal_speed > 0
                        ? Real((1 + walls.restitution) * impact.normal_speed * mass)
                        : Real(0);
@@ -89,14 +100,10 @@ template <int Dim, class Real>
 WallImpact<Dim, Real> thermal_impact(const Walls<Real>& walls, int side,
                                      const Vec<Dim, Real>& velocity, const Vec<Dim, Real>& after,
                                      const Real& mass = Real(1), const Real& radius = Real(0.5)) {
-  WallImpact<Dim, Real> result;
-  Impact<Dim, Real>& impact = result.impact;
-  impact.normal[walls.axis] = side == 0 ? -1 : 1;
-  impact.distance = radius;
-  impact.normal_speed = dot(impact.normal, velocity);
-  result.change = (after - velocity) * mass;
-  impact.impulse = -dot(impact.normal, result.change);
-  return result;
+  Impact<Dim, Real> impact = wall_meeting(walls, side, velocity, radius);
+  const Vec<Dim, Real> change = (after - velocity) * mass;
+  impact.impulse = -dot(impact.normal, change);
+  return {impact, change};
 }
 
 /// Speed at which a gap closes that shrinks, or falls back, at a constant acceleration.

@@ -185,7 +185,7 @@ TEST(BouncingBallStepByStep, LosesTheSameFractionOfItsSpeedAtEachBounce) {
 }
 
 // Rods under gravity on a floor, given some speed each.
-const char* const kColumn = R"(
+const char* const bouncing_column_case = R"(
 [system]
 dimension = 1
 spheres = 4
@@ -211,7 +211,7 @@ collisions = 1000000
 
 TEST(BouncingColumn, OfInelasticRodsIsArrestedOnTheFloor) {
   for (const std::string rule : {"rewind", "immediate", "guarded"}) {
-    const Summary run = test::run_text(kColumn, {"collision.overlap=" + rule});
+    const Summary run = test::run_text(bouncing_column_case, {"collision.overlap=" + rule});
     EXPECT_EQ(run.verdict, Verdict::arrested) << rule;
     EXPECT_LT(run.ledger_error, 1e-10) << rule;
   }

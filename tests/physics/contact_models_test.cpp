@@ -20,7 +20,7 @@ Summary three_rods(std::vector<std::string> changes = {}) {
 }
 
 /// The three rods as disks on a line.
-const std::string kThreeDisks = R"(
+const std::string three_disks_case = R"(
 [system]
 dimension = 2
 spheres = 3
@@ -39,7 +39,7 @@ collisions = 100000
 time = 30
 )";
 
-const std::string kSheared = R"(
+const std::string sheared_disks_case = R"(
 [system]
 dimension = 3
 spheres = 256
@@ -56,11 +56,11 @@ collisions = 20000
 )";
 
 using Changes = std::vector<std::string>;
-const Changes kTc{"collision.contact_duration=1e-3"};
-const Changes kViscoelastic{"collision.restitution_law=viscoelastic",
-                            "collision.viscoelastic_constant=0.3"};
-const Changes kRotation{"collision.rotation_angle=0.1"};
-const Changes kFixedLoss{"collision.restitution_law=fixed-loss", "collision.energy_loss=0.5"};
+const Changes tc_model{"collision.contact_duration=1e-3"};
+const Changes viscoelastic_law{"collision.restitution_law=viscoelastic",
+                               "collision.viscoelastic_constant=0.3"};
+const Changes rotation_model{"collision.rotation_angle=0.1"};
+const Changes fixed_loss_law{"collision.restitution_law=fixed-loss", "collision.energy_loss=0.5"};
 
 // Without a model the flights shrink by 0.3125 and sum up to 40/11. With t_c = 1e-6 the collisions
 // become elastic after ln(2.5e6)/ln(3.2) = 13 of them; then the energy stays, and three elastic
@@ -93,10 +93,10 @@ TEST(ContactDurationModel, KeepsABallBouncingOnAFloor) {
 }
 
 TEST(Rotation, EndsTheCollapseOfThreeDisks) {
-  EXPECT_GT(test::run_text(kThreeDisks).separation.hits, 0);
+  EXPECT_GT(test::run_text(three_disks_case).separation.hits, 0);
   for (const std::string seed : {"1", "2", "3", "4", "5"}) {
     const Summary run =
-        test::run_text(kThreeDisks, {"collision.rotation_angle=0.2", "start.seed=" + seed});
+        test::run_text(three_disks_case, {"collision.rotation_angle=0.2", "start.seed=" + seed});
     EXPECT_EQ(run.separation.hits, 0) << seed;
     EXPECT_EQ(run.contact.rotated, run.collisions) << seed;
     EXPECT_LT(run.collisions, 15) << seed;
@@ -109,7 +109,7 @@ TEST(Rotation, FollowsTheSeedAndNothingElse) {
   const auto second_collision = [](const Changes& changes) {
     Changes all{"run.collisions=2"};
     all.insert(all.end(), changes.begin(), changes.end());
-    return test::run_text(kThreeDisks, all).time;
+    return test::run_text(three_disks_case, all).time;
   };
   const std::string turned = "collision.rotation_angle=0.2";
   EXPECT_EQ(second_collision({"start.seed=1"}), second_collision({"start.seed=2"}));
@@ -144,7 +144,7 @@ TEST(FixedLossLaw, EndsTheCollapseOfThreeRodsInEveryPrecision) {
 }
 
 /// A gas without a drive, which can only lose energy in its collisions.
-const std::string kCooling = R"(
+const std::string cooling_disks_case = R"(
 [system]
 dimension = 2
 spheres = 100
@@ -165,7 +165,7 @@ after_time = 0
 
 TEST(FixedLossLaw, TakesAWholeNumberOfLossesFromACoolingGas) {
   for (const std::string precision : {"double", "quad"}) {
-    const Summary run = test::run_text(kCooling, {"collision.precision=" + precision});
+    const Summary run = test::run_text(cooling_disks_case, {"collision.precision=" + precision});
     const auto averages = run.averages.value();
     const double volume = 100 * std::numbers::pi / 4 / 0.3;
     const double losses = averages.dissipation * run.time * volume / 0.0078125;
@@ -177,11 +177,11 @@ TEST(FixedLossLaw, TakesAWholeNumberOfLossesFromACoolingGas) {
 }
 
 TEST(ContactModelsUnderShear, CloseTheEnergyLedgerEachAndTogether) {
-  Changes all = kTc;
-  all.insert(all.end(), kViscoelastic.begin(), kViscoelastic.end());
-  all.insert(all.end(), kRotation.begin(), kRotation.end());
-  for (const Changes& changes : {kTc, kViscoelastic, kRotation, kFixedLoss, all}) {
-    const Summary run = test::run_text(kSheared, changes);
+  Changes all = tc_model;
+  all.insert(all.end(), viscoelastic_law.begin(), viscoelastic_law.end());
+  all.insert(all.end(), rotation_model.begin(), rotation_model.end());
+  for (const Changes& changes : {tc_model, viscoelastic_law, rotation_model, fixed_loss_law, all}) {
+    const Summary run = test::run_text(sheared_disks_case, changes);
     // 20000 collisions of ulps each, where a wrong term would be of the order 1.
     EXPECT_LT(run.ledger_error, 1e-12) << changes.front();
   }
@@ -190,21 +190,21 @@ TEST(ContactModelsUnderShear, CloseTheEnergyLedgerEachAndTogether) {
 // The same random angles in every precision, and a ledger that closes to its rounding.
 TEST(ContactModelsUnderShear, FollowTheSameTrajectoryInEveryPrecisionAndDimension) {
   for (const auto& [is_plane, law] :
-       {std::pair(false, kViscoelastic), std::pair(true, kViscoelastic),
-        std::pair(false, kFixedLoss), std::pair(true, kFixedLoss)}) {
+       {std::pair(false, viscoelastic_law), std::pair(true, viscoelastic_law),
+        std::pair(false, fixed_loss_law), std::pair(true, fixed_loss_law)}) {
     Changes changes{"system.spheres=32", "run.collisions=64"};
-    for (const Changes& more : {kTc, law, kRotation}) {
+    for (const Changes& more : {tc_model, law, rotation_model}) {
       changes.insert(changes.end(), more.begin(), more.end());
     }
     if (is_plane) {
       changes.insert(changes.end(), {"system.dimension=2", "start.arrangement=random"});
     }
-    const double time = test::run_text(kSheared, changes).time;
+    const double time = test::run_text(sheared_disks_case, changes).time;
     for (const auto& [precision, rounding] :
          {std::pair("extended", 1e-17), std::pair("quad", 1e-31), std::pair("digits100", 1e-96)}) {
       Changes precise = changes;
       precise.push_back(std::string("collision.precision=") + precision);
-      const Summary run = test::run_text(kSheared, precise);
+      const Summary run = test::run_text(sheared_disks_case, precise);
       // Four collisions a sphere amplify the rounding of a double by some thousands.
       EXPECT_NEAR(run.time, time, 1e-11 * time) << precision;
       EXPECT_EQ(run.contact.rotated, 64) << precision;
@@ -214,10 +214,10 @@ TEST(ContactModelsUnderShear, FollowTheSameTrajectoryInEveryPrecisionAndDimensio
 }
 
 TEST(ContactModelsUnderShear, KeepTheDissipationEqualToTheWorkInASteadyState) {
-  for (const Changes& model : {kTc, kViscoelastic, kRotation, kFixedLoss}) {
+  for (const Changes& model : {tc_model, viscoelastic_law, rotation_model, fixed_loss_law}) {
     Changes changes = model;
     changes.insert(changes.end(), {"run.collisions=100000", "measure.after_time=10"});
-    const auto averages = test::run_text(kSheared, changes).averages.value();
+    const auto averages = test::run_text(sheared_disks_case, changes).averages.value();
     // The energy of 256 spheres fluctuates by 1/sqrt(256), once in the some 50 times it turns over.
     EXPECT_NEAR(averages.dissipation, averages.shear_work, 0.01 * averages.shear_work);
   }

@@ -66,13 +66,8 @@ TEST(DiluteGas, CollidesAsWithLists) {
       Gas with_lists = gas_of(spheres, box_of(spheres, fraction, shear_rate, 1.5), 0.9);
       ASSERT_TRUE(gas.looks_by_cells());
       ASSERT_FALSE(with_lists.looks_by_cells());
-      for (int n = 0; n < 3 * spheres / 2; ++n) {
-        const auto one = support::next(gas);
-        const auto other = support::next(with_lists);
-        ASSERT_EQ(one.i, other.i) << "collision " << n << " at " << fraction;
-        ASSERT_EQ(one.j, other.j) << "collision " << n << " at " << fraction;
-        ASSERT_NEAR(gas.time(), with_lists.time(), 1e-9);
-      }
+      SCOPED_TRACE(fraction);
+      support::expect_like_collisions(gas, with_lists, 3 * spheres / 2, 1e-9);
     }
   }
 }
@@ -87,17 +82,11 @@ TEST(DiluteGas, OfDifferentSizesCollidesAsWithLists) {
     Gas with_lists(box_of(spheres, 0.1, shear_rate, 1.5), start, {0.9});
     ASSERT_TRUE(gas.looks_by_cells());
     ASSERT_FALSE(with_lists.looks_by_cells());
-    for (int n = 0; n < spheres; ++n) {
-      const auto one = support::next(gas);
-      const auto other = support::next(with_lists);
-      ASSERT_EQ(one.i, other.i) << "collision " << n;
-      ASSERT_EQ(one.j, other.j) << "collision " << n;
-      ASSERT_NEAR(gas.time(), with_lists.time(), 1e-9);
-    }
+    support::expect_like_collisions(gas, with_lists, spheres, 1e-9);
   }
 }
 
-TEST(DiluteGas, MissesNobodyInALongRun) {
+TEST(DiluteGas, MissesNoSphereInALongRun) {
   // What it has missed it meets later as an overlap.
   for (const double shear_rate : {0.0, 0.5}) {
     Gas gas = gas_of(400, box_of(400, 0.12, shear_rate), 0.95);
@@ -121,14 +110,7 @@ TEST(DiluteGas, GoesOnFromAnArchiveBitForBit) {
       Gas again(box, gas.rules(), {}, reader);
       reader.require_end();
       EXPECT_TRUE(again.looks_by_cells());
-      for (int n = 0; n < 333; ++n) {
-        const auto one = support::next(gas);
-        const auto other = support::next(again);
-        ASSERT_EQ(one.i, other.i);
-        ASSERT_EQ(one.j, other.j);
-        ASSERT_EQ(one.time.remainder, other.time.remainder);
-        ASSERT_EQ(one.gap_before, other.gap_before);
-      }
+      support::expect_same_collisions(gas, again, 333);
     }
   }
 }
@@ -159,9 +141,7 @@ TEST(DiluteGas, GetsListsWhereItCrowdsTogether) {
     ArchiveReader reader(bytes);
     Gas again(box, gas.rules(), {}, reader);
     EXPECT_FALSE(again.looks_by_cells());
-    for (int n = 0; n < 500; ++n) {
-      ASSERT_EQ(support::next(gas).gap_before, support::next(again).gap_before);
-    }
+    support::expect_same_collisions(gas, again, 500);
   }
 }
 

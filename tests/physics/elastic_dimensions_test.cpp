@@ -13,7 +13,7 @@
 namespace zenosphere {
 namespace {
 
-const char* const kDisks = R"(
+const char* const elastic_disks_case = R"(
 [system]
 dimension = 2
 spheres = 1000
@@ -32,7 +32,7 @@ after_time = 5
 
 // 300 collisions per disk: seeds scatter by 0.2 %, so that 1 % is 5 standard errors.
 TEST(ElasticDisks, PressureAndCollisionRateAreThoseOfTheHardDiskFluid) {
-  const Summary run = test::run_text(kDisks);
+  const Summary run = test::run_text(elastic_disks_case);
   ASSERT_TRUE(run.averages);
   // Henderson, Mol. Phys. 30 (1975) 971, at phi = 0.3: 1.01125/0.49 = 2.0638.
   const double phi = 0.3;
@@ -144,9 +144,9 @@ TEST_P(GasBetweenWalls, PressesOnThemAsItDoesInside) {
   const auto& [dimension, axis, normal] = GetParam();
   const int spheres = 500;
   const Summary run = test::run_text(
-      kDisks, {"system.dimension=" + std::to_string(dimension),
-               "system.spheres=" + std::to_string(spheres), "walls.axis=" + axis,
-               "walls.restitution=1", "measure.after_time=0", "run.collisions=100000"});
+      elastic_disks_case, {"system.dimension=" + std::to_string(dimension),
+                           "system.spheres=" + std::to_string(spheres), "walls.axis=" + axis,
+                           "walls.restitution=1", "measure.after_time=0", "run.collisions=100000"});
   ASSERT_TRUE(run.averages);
   const Averages& averages = *run.averages;
   ASSERT_EQ(averages.wall_pressure.size(), 2U);

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -48,35 +46,6 @@ Gas gas_of(const Mixture& mixture) {
   return Gas(Box(mixture.sides, mixture.shear_rate, mixture.cell_width), start, mixture.rules);
 }
 
-/// Compares so many collisions with a new oracle, one by one.
-void expect_those_of_all_pairs(Gas& gas, int collisions, double tolerance) {
-  Oracle oracle(gas.box().sides(), gas.box().shear_rate(), gas.rules(), gas.configuration(),
-                gas.lees_edwards_offset());
-  const Instant<double> start = gas.now();
-  for (int n = 0; n < collisions; ++n) {
-    const auto collision = support::next(gas);
-    const Oracle::Event event = oracle.next_collision();
-    ASSERT_EQ(collision.i, event.i) << "collision " << collision.number;
-    ASSERT_EQ(collision.j, event.j) << "collision " << collision.number;
-    ASSERT_NEAR(elapsed(start, collision.time, gas.box().clock_unit()), event.time, tolerance)
-        << "collision " << collision.number;
-    const double scale = std::max(1.0, event.normal_speed);
-    ASSERT_NEAR(collision.impact.normal_speed, event.normal_speed, 100 * tolerance * scale);
-    ASSERT_NEAR(collision.gap_before, event.gap_before,
-                100 * tolerance * std::max(1.0, event.gap_before));
-    ASSERT_EQ(collision.sliding, event.sliding) << "collision " << collision.number;
-    if (gas.spins().empty()) continue;
-    for (const std::int32_t i : {collision.i, collision.j}) {
-      const auto at = static_cast<std::size_t>(i);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        ASSERT_NEAR(gas.spins()[at].components[axis], static_cast<double>(oracle.spin(at)[axis]),
-                    1000 * tolerance)
-            << "collision " << collision.number;
-      }
-    }
-  }
-}
-
 class MixtureEngine : public testing::TestWithParam<Mixture> {};
 
 TEST_P(MixtureEngine, AgreesWithTheOracleCollisionByCollision) {
@@ -84,7 +53,7 @@ TEST_P(MixtureEngine, AgreesWithTheOracleCollisionByCollision) {
   // light ones are deflected more, so that the oracle begins anew twice as often.
   Gas gas = gas_of(GetParam());
   for (int round = 0; round < GetParam().rounds; ++round) {
-    ASSERT_NO_FATAL_FAILURE(expect_those_of_all_pairs(gas, gas.spheres(), 1e-10))
+    ASSERT_NO_FATAL_FAILURE(expect_collisions_of_oracle(gas, gas.spheres(), 1e-10))
         << "round " << round;
   }
 }

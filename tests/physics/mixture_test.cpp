@@ -121,15 +121,7 @@ TEST(Mixture, OfUnitSpheresGivesTheDigitsOfUnitSpheres) {
   rules.table.emplace(1, ContactConstants<double>{0.7});
   Gas one(Box({6, 6, 6}, 1), unit, {0.7});
   Gas other(Box({6, 6, 6}, 1), given, rules);
-  for (int n = 0; n < 5000; ++n) {
-    const auto a = support::next(one);
-    const auto b = support::next(other);
-    ASSERT_EQ(a.i, b.i);
-    ASSERT_EQ(a.j, b.j);
-    ASSERT_EQ(a.time.remainder, b.time.remainder);
-    ASSERT_EQ(a.gap_before, b.gap_before);
-    ASSERT_EQ(a.change, b.change);
-  }
+  support::expect_same_collisions(one, other, 5000);
 }
 
 TEST(RoughGas, WithoutFrictionOrWithBetaOfMinusOneGivesTheSmoothDigits) {
@@ -140,13 +132,7 @@ TEST(RoughGas, WithoutFrictionOrWithBetaOfMinusOneGivesTheSmoothDigits) {
        {ContactConstants<double>{0.7, -1, 0.5}, ContactConstants<double>{0.7, 0.5, 0}}) {
     Gas smooth(Box({6, 6, 6}, 1), start, {0.7});
     Gas rough(Box({6, 6, 6}, 1), spinning, support::rough(constants));
-    for (int n = 0; n < 3000; ++n) {
-      const auto a = support::next(smooth);
-      const auto b = support::next(rough);
-      ASSERT_EQ(a.i, b.i);
-      ASSERT_EQ(a.time.remainder, b.time.remainder);
-      ASSERT_EQ(a.change, b.change);
-    }
+    support::expect_same_collisions(smooth, rough, 3000);
     EXPECT_EQ(rough.spins(), spinning.spins);
   }
 }

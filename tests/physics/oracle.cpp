@@ -1,10 +1,14 @@
 #include "physics/oracle.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "support/gas.hpp"
 
 namespace zenosphere {
 
@@ -180,6 +184,46 @@ Oracle::Event Oracle::next_collision() {
     return event;
   }
   throw std::runtime_error("no collision for long");
+}
+
+namespace {
+
+void expect_event(const Collision<3, double>& collision, const Oracle::Event& event,
+                  double tolerance) {
+  ASSERT_EQ(collision.i, event.i);
+  ASSERT_EQ(collision.j, event.j);
+  ASSERT_NEAR(collision.impact.normal_speed, event.normal_speed,
+              100 * tolerance * std::max(1.0, event.normal_speed));
+  ASSERT_NEAR(collision.gap_before, event.gap_before,
+              100 * tolerance * std::max(1.0, event.gap_before));
+  ASSERT_EQ(collision.sliding, event.sliding);
+}
+
+void expect_spin(const Spin<3, double>& spin, const std::array<long double, 3>& expected,
+                 double tolerance) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ASSERT_NEAR(spin.components[axis], static_cast<double>(expected[axis]), 1000 * tolerance);
+  }
+}
+
+}  // namespace
+
+void expect_collisions_of_oracle(Simulation<3, double>& gas, int collisions, double tolerance) {
+  Oracle oracle(gas.box().sides(), gas.box().shear_rate(), gas.rules(), gas.configuration(),
+                gas.lees_edwards_offset());
+  const Instant<double> start = gas.now();
+  for (int n = 0; n < collisions; ++n) {
+    const auto collision = support::next(gas);
+    SCOPED_TRACE(collision.number);
+    const Oracle::Event event = oracle.next_collision();
+    ASSERT_NO_FATAL_FAILURE(expect_event(collision, event, tolerance));
+    ASSERT_NEAR(elapsed(start, collision.time, gas.box().clock_unit()), event.time, tolerance);
+    if (gas.spins().empty()) continue;
+    for (const std::int32_t i : {collision.i, collision.j}) {
+      const auto at = static_cast<std::size_t>(i);
+      ASSERT_NO_FATAL_FAILURE(expect_spin(gas.spins()[at], oracle.spin(at), tolerance));
+    }
+  }
 }
 
 }  // namespace zenosphere

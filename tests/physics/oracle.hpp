@@ -68,4 +68,10 @@ class Oracle {
   std::vector<int> kinds_;
 };
 
+/// Starts the oracle from where a gas is now and compares `collisions` of them, one by one.
+///
+/// \param tolerance  of the time; a hundred times that of speeds and gaps, a thousand times of
+/// spins
+void expect_collisions_of_oracle(Simulation<3, double>& gas, int collisions, double tolerance);
+
 }  // namespace zenosphere

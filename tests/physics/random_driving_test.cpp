@@ -10,7 +10,7 @@
 namespace zenosphere {
 namespace {
 
-const char* const kDriven = R"(
+const char* const driven_gas_case = R"(
 [system]
 dimension = 2
 spheres = 1000
@@ -53,7 +53,7 @@ TEST_P(RandomDrivingIn, FeedsWhatTheCollisionsTake) {
   const auto& [dimension, e, time] = GetParam();
   const double noise = (1 - e * e) * collision_rate(dimension) / dimension;
   const Summary run = test::run_text(
-      kDriven,
+      driven_gas_case,
       {"system.dimension=" + std::to_string(dimension), "system.restitution=" + std::to_string(e),
        "drive.noise_strength=" + std::to_string(noise), "run.time=" + std::to_string(time)});
   ASSERT_TRUE(run.averages);

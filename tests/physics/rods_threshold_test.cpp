@@ -31,9 +31,9 @@ struct Start {
 };
 
 // Found by trying; the order of the rounds holds for 20 collisions and more around e_c.
-const Start kThree{"three", {0.1, 1}, {1, -0.125}};
-const Start kFour{"four", {0.125, 1, 0.125}, {1, -0.6, 1}};
-const Start kFive{"five", {0.1, 1.2, 0.6, 0.7}, {1, 0.9, 0.05, 0.9}};
+const Start three_rod_start{"three", {0.1, 1}, {1, -0.125}};
+const Start four_rod_start{"four", {0.125, 1, 0.125}, {1, -0.6, 1}};
+const Start five_rod_start{"five", {0.1, 1.2, 0.6, 0.7}, {1, 0.9, 0.05, 0.9}};
 
 Simulation<1, double> rods(const Start& start, double restitution) {
   const double side = 100;
@@ -148,7 +148,8 @@ TEST_P(RodsOnALine, CollapseBelowTheThresholdAndPartAboveIt) {
   EXPECT_FALSE(collapse(GetParam(), 1.05 * threshold()));
 }
 
-INSTANTIATE_TEST_SUITE_P(N, RodsOnALine, testing::Values(kThree, kFour, kFive),
+INSTANTIATE_TEST_SUITE_P(N, RodsOnALine,
+                         testing::Values(three_rod_start, four_rod_start, five_rod_start),
                          [](const auto& start) { return start.param.name; });
 
 }  // namespace

@@ -218,7 +218,7 @@ TEST(VibratedColumn, ClosesItsLedgerInEveryDimensionAndShape) {
   }
 }
 
-const char* const kSettling = R"(
+const char* const settling_ball_case = R"(
 [system]
 dimension = 1
 spheres = 1
@@ -246,7 +246,7 @@ time = 100
 
 // Peak acceleration 0.5 (0.2 pi)^2 = 0.197: once its bounces have ended it stays on the plate.
 TEST(ABallThatHasSettledOnThePlate, IsNoArrestAndMeetsNoSeparation) {
-  const Summary run = test::run_text(kSettling);
+  const Summary run = test::run_text(settling_ball_case);
   EXPECT_EQ(run.verdict, Verdict::none);
   EXPECT_EQ(run.separation.hits, 0);
   EXPECT_FALSE(run.arrest.met);
@@ -261,7 +261,7 @@ TEST(ABallThatHasSettledOnAPlate, GetsNoEnergyHoweverSlowThePlate) {
   for (const auto& [amplitude, frequency] :
        std::vector<std::pair<double, double>>{{0.01, 1e-5}, {0.5, 1e-7}, {0.5, 1e-30}}) {
     const Summary run = test::run_text(
-        kSettling,
+        settling_ball_case,
         {"start.positions=[2]", fmt::format("walls.amplitude={}", amplitude),
          fmt::format("walls.frequency={}", frequency), "run.time=20", "measure.after_time=12"});
     EXPECT_LT(run.averages.value().granular_temperature, 2e-7 * amplitude) << frequency;
@@ -271,7 +271,7 @@ TEST(ABallThatHasSettledOnAPlate, GetsNoEnergyHoweverSlowThePlate) {
 }
 
 TEST(ABallThatMayNotRest, IsArrestedWhereItsBouncesEnd) {
-  const Summary run = test::run_text(kSettling, {"walls.resting_flight=0"});
+  const Summary run = test::run_text(settling_ball_case, {"walls.resting_flight=0"});
   EXPECT_EQ(run.verdict, Verdict::arrested);
   EXPECT_EQ(run.ended_by, EndedBy::arrest);
   ASSERT_EQ(run.arrest.pairs.size(), 1U);

@@ -4,17 +4,17 @@ import contextlib
 import json
 import os
 import subprocess
-import time
 from pathlib import Path
 
 import h5py
 import pytest
 
+from mixtures import MIXTURE
+from processes import MOST_SECONDS, let_work, wait_for
 from sweeps import SWEEP
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("ZENOSPHERE", CHECKOUT / "build" / "zenosphere")).resolve()
-MOST_SECONDS = 120  # commands take two at most on an idle machine: what takes so long, hangs
 
 CASE = """\
 [system]
@@ -74,11 +74,6 @@ class Program:
         return [PROGRAM, *words]
 
     @staticmethod
-    def pause(seconds):
-        """Lets a process that runs beside the test go on."""
-        time.sleep(seconds)
-
-    @staticmethod
     def words(changes):
         """`{"run.time": 3}` as the words `--set run.time=3`."""
         pairs = dict(changes).items()
@@ -100,26 +95,24 @@ class Program:
         return done.stderr.splitlines()
 
     def start(self, changes=(), *words, stderr=subprocess.PIPE, **options):
-        """A process that goes on until it is interrupted, once its output file is there."""
+        """A process that goes on until it is interrupted, once its output file is there and it has
+        collisions: it has worked on."""
         settings = {"run.collisions": 10**12, "output.collision_log": "none", **dict(changes)}
         process = subprocess.Popen(
             [PROGRAM, "run", self.case.name, "-o", "out.h5", *self.words(settings), *words],
             cwd=self.folder, stdout=subprocess.PIPE, stderr=stderr, text=True, **options)
-        for _ in range(1000):
-            if (self.folder / "out.h5").exists():
-                time.sleep(0.1)
-                return process
-            time.sleep(0.005)
-        process.kill()
-        raise AssertionError("no output file after five seconds")
+        try:
+            wait_for((self.folder / "out.h5").exists)
+            let_work(process)
+        except AssertionError:
+            process.kill()
+            raise
+        return process
 
     def kill_with_journal(self, process, size=300_000):
         """Kills a process that writes out.h5 once its journal has so many bytes; the journal."""
         journal = self.folder / "out.h5.journal"
-        for _ in range(3000):
-            if journal.exists() and journal.stat().st_size > size:
-                break
-            self.pause(0.01)
+        wait_for(lambda: journal.exists() and journal.stat().st_size > size)
         process.kill()
         process.communicate()
         assert journal.stat().st_size > size
@@ -129,6 +122,13 @@ class Program:
 @pytest.fixture
 def program(tmp_path):
     return Program(tmp_path)
+
+
+@pytest.fixture
+def mixture(program):
+    """The program in a folder with a mixture for its case."""
+    program.case.write_text(MIXTURE)
+    return program
 
 
 @pytest.fixture

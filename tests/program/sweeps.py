@@ -1,9 +1,6 @@
 """A sweep of eight runs of the small case, and how its store is looked at."""
 
-import os
 import sqlite3
-import time
-from pathlib import Path
 
 SWEEP = """\
 [sweep]
@@ -45,17 +42,3 @@ def is_made(path):
 def runs_done(path):
     """How many runs of a store have ended; 0 where there is no store yet."""
     return sum(row["status"] == "done" for row in rows(path)) if is_made(path) else 0
-
-
-def has_worked(pid, seconds=0.1):
-    """Whether a process has spent so much time of a processor: then its runs are going on."""
-    fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return int(fields[11]) / os.sysconf("SC_CLK_TCK") >= seconds  # utime, field 14 of proc(5)
-
-
-def wait_for(condition):
-    for _ in range(6000):
-        if condition():
-            return
-        time.sleep(0.01)
-    raise AssertionError("a minute was not enough")

@@ -7,7 +7,8 @@ import sqlite3
 import subprocess
 
 import pytest
-from sweeps import runs_done, wait_for
+from processes import MOST_SECONDS, wait_for
+from sweeps import runs_done
 
 SEARCH = """\
 [sweep]
@@ -87,7 +88,8 @@ def test_search_with_mpi_gives_the_same_store(search):
     search("sweep", "s.toml", "-o", "threads.sqlite")
     command = ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n", "3",
                *search.command("sweep", "s.toml", "-o", "ranks.sqlite")]
-    done = subprocess.run(command, cwd=search.folder, capture_output=True, text=True, timeout=60)
+    done = subprocess.run(command, cwd=search.folder, capture_output=True, text=True,
+                          timeout=MOST_SECONDS)
     assert done.returncode == 0, done.stdout + done.stderr
     assert content(search.folder / "ranks.sqlite") == content(search.folder / "threads.sqlite")
 

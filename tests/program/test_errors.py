@@ -253,7 +253,7 @@ def test_full_standard_output_is_exit_code_4(program, command):
     assert done.returncode == 4 and "standard output" in done.stderr
 
 
-def test_error_that_nobody_hears_still_has_its_exit_code(program):
+def test_error_without_a_listener_still_has_its_exit_code(program):
     script = 'exec "$0" check missing.toml 2>&-'
     done = subprocess.run(["sh", "-c", script, *program.command()], cwd=program.folder)
     assert done.returncode == 2

@@ -8,6 +8,7 @@ import h5py
 import pytest
 
 from conftest import forged
+from processes import MOST_SECONDS
 
 SOUND = "match: every byte is as it was written"
 
@@ -93,5 +94,6 @@ def test_list_of_checksums_can_be_read_by_people(program):
 def test_flipped_bits_are_found(program, checkout):
     done = subprocess.run(
         [checkout / "scripts" / "reliability" / "flip-bits", "24", "--system", "quad"], text=True,
-        capture_output=True, timeout=60, env={**os.environ, "ZENOSPHERE": str(program.command()[0])})
+        capture_output=True, timeout=MOST_SECONDS,
+        env={**os.environ, "ZENOSPHERE": str(program.command()[0])})
     assert done.returncode == 0, done.stdout + done.stderr

@@ -10,6 +10,7 @@ import subprocess
 import h5py
 import pytest
 from conftest import forged
+from processes import MOST_SECONDS
 
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1
 
@@ -57,7 +58,7 @@ def test_folder_that_vanishes_ends_the_run_at_once(program):
     process.send_signal(signal.SIGSTOP)  # or it might take a file away first
     shutil.rmtree(program.folder)
     process.send_signal(signal.SIGCONT)
-    _, errors = process.communicate(timeout=10)
+    _, errors = process.communicate(timeout=MOST_SECONDS)
     assert process.returncode == 4 and "no longer there" in errors
     program.folder.mkdir()
 
@@ -71,7 +72,7 @@ def crc32c(data):
     return value ^ 0xFFFFFFFF
 
 
-def test_checkpoint_from_somebody_else_does_no_harm(program):
+def test_checkpoint_of_unknown_origin_does_no_harm(program):
     program.keep({"system.spheres": 4, "system.solids_volume_fraction": 0.1, "run.collisions": 5})
     with h5py.File(program.folder / "out.h5") as file:
         state = file["zenosphere/checkpoint/state"][()].tobytes()
@@ -99,5 +100,6 @@ def test_checkpoint_from_somebody_else_does_no_harm(program):
 def test_script_finds_resumed_runs_bit_identical(program, checkout, script, system):
     done = subprocess.run(
         [checkout / "scripts" / "reliability" / script, "2", "--system", system], text=True,
-        capture_output=True, timeout=60, env={**os.environ, "ZENOSPHERE": str(program.command()[0])})
+        capture_output=True, timeout=MOST_SECONDS,
+        env={**os.environ, "ZENOSPHERE": str(program.command()[0])})
     assert done.stdout.startswith("2 of 2 ") and done.returncode == 0, done.stdout + done.stderr

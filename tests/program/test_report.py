@@ -43,6 +43,17 @@ def page(collapsed, tmp_path_factory):
     return output, blocks(made)
 
 
+@pytest.fixture(scope="module")
+def long_log(tmp_path_factory):
+    """The columns of a log of more rows than a page shows one by one, and what is in its page."""
+    program = Program(tmp_path_factory.mktemp("long"))
+    _, output = program.keep({"run.collisions": 70000})
+    program("report", "out.h5", "-o", "page.html")
+    with h5py.File(output) as run:
+        log = {name: values[()] for name, values in run["collisions"].items()}
+    return log, blocks(program.folder / "page.html")
+
+
 def test_page_says_what_info_says(page, program):
     output, found = page
     summary = json.loads(program("info", str(output), "--json").stdout)
@@ -106,12 +117,8 @@ def test_snapshots_are_in_the_page_as_they_are_in_the_file(page):
     assert list(counted) == [2 * step for step in found["run"]["snapshots"]["step"]]
 
 
-def test_extremes_of_a_long_log_survive_the_binning(program):
-    program.keep({"run.collisions": 70000})
-    program("report", "out.h5", "-o", "page.html")
-    found = blocks(program.folder / "page.html")
-    with h5py.File(program.folder / "out.h5") as run:
-        log = {name: values[()] for name, values in run["collisions"].items()}
+def test_extremes_of_a_long_log_survive_the_binning(long_log):
+    log, found = long_log
     assert found["run"]["log"][0] == {"name": "log0", "width": 3, "bins": 23334, "last": 70000}
     assert found["log0.speed_low"].min() == log["normal_speed"].min()
     assert found["log0.speed_high"].max() == log["normal_speed"].max()
@@ -119,12 +126,8 @@ def test_extremes_of_a_long_log_survive_the_binning(program):
     assert found["log0.hits"].sum() == (log["flags"] & 1).sum()
 
 
-def test_pairs_of_a_long_log_are_in_the_page_with_the_bins_they_collide_in(program):
-    program.keep({"run.collisions": 70000})
-    program("report", "out.h5", "-o", "page.html")
-    found = blocks(program.folder / "page.html")
-    with h5py.File(program.folder / "out.h5") as run:
-        log = {name: values[()] for name, values in run["collisions"].items()}
+def test_pairs_of_a_long_log_are_in_the_page_with_the_bins_they_collide_in(long_log):
+    log, found = long_log
     pairs = list(zip(log["i"].tolist(), log["j"].tolist()))
     # Fewer pairs than counters, so that every count is exact; of equal counts the smaller numbers.
     counts = sorted(Counter(pairs).items(), key=lambda entry: (-entry[1], entry[0]))

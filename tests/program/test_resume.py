@@ -9,6 +9,7 @@ import subprocess
 import pytest
 from conftest import forged
 from identity import differences
+from processes import MOST_SECONDS, has_worked, wait_for
 
 LINE = {"system.dimension": 1, "system.spheres": 20, "start.arrangement": "random",
         "system.solids_volume_fraction": 0.5, "drive.kind": "none", "drive.shear_rate": 0,
@@ -133,7 +134,7 @@ def test_resume_is_interrupted_as_a_run_is(program):
     process = subprocess.Popen(
         program.command("resume", "out.h5", "--json", "--set", f"run.collisions={10**12}"),
         cwd=program.folder, stdout=subprocess.PIPE, text=True)
-    program.pause(0.5)
+    wait_for(lambda: has_worked(process.pid, 0.5))  # it has begun long ago
     process.send_signal(signal.SIGTERM)
     summary = json.loads(process.communicate()[0])
     assert process.returncode == 130 and summary["outcome"] == "interrupted"
@@ -236,7 +237,7 @@ def test_output_that_a_run_writes_is_not_resumed_or_overwritten(program):
 def test_output_that_is_moved_away_ends_the_run_at_once(program):
     process = program.start()
     (program.folder / "out.h5").rename(program.folder / "moved.h5")
-    _, errors = process.communicate(timeout=10)
+    _, errors = process.communicate(timeout=MOST_SECONDS)
     assert process.returncode == 4 and "no longer there" in errors
     assert program("info", "moved.h5").returncode == 0
 

@@ -12,6 +12,7 @@ import termios
 import h5py
 import numpy as np
 import pytest
+from processes import MOST_SECONDS, let_work, shown_until
 
 LOGGED = {"output.collision_log": "all", "output.snapshot_interval": 1}
 
@@ -21,7 +22,7 @@ def ended(process, *signals):
     for each in signals:
         process.send_signal(each)
     try:
-        return process.communicate(timeout=20)
+        return process.communicate(timeout=MOST_SECONDS)
     except subprocess.TimeoutExpired:
         process.kill()
         process.communicate()
@@ -54,7 +55,7 @@ def test_interrupted_run_without_output_says_that_nothing_is_left(program):
                                cwd=program.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True)
     assert "not kept" in process.stderr.readline()
-    program.pause(0.3)
+    let_work(process)
     output, _ = ended(process, signal.SIGINT)
     assert output.splitlines()[0].endswith(", and not kept (no -o).")
 
@@ -96,7 +97,7 @@ def test_interrupted_run_without_output_file_prints_its_summary(program):
                                cwd=program.folder, stdout=subprocess.PIPE, text=True,
                                stderr=subprocess.PIPE)
     process.stderr.readline()  # the remark that nothing is kept: the case is read
-    program.pause(0.2)
+    let_work(process)
     assert json.loads(ended(process, signal.SIGINT)[0])["outcome"] == "interrupted"
     assert process.returncode == 130
 
@@ -136,7 +137,7 @@ def ignore_hangup():
 def test_run_under_nohup_survives_the_end_of_the_terminal(program):
     process = program.start(preexec_fn=ignore_hangup)
     process.send_signal(signal.SIGHUP)
-    program.pause(0.2)
+    let_work(process)
     assert process.poll() is None
     ended(process, signal.SIGINT)
     assert process.returncode == 130
@@ -153,13 +154,18 @@ def read_all(descriptor):
     return b"".join(parts).decode()
 
 
+def has_lines(shown):
+    """Whether a progress line has been written over another one."""
+    return len([line for line in shown.split("\r") if line.strip()]) >= 2
+
+
 def test_terminal_shows_one_progress_line(program):
     ours, theirs = pty.openpty()
     process = program.start({"run.time": 1e6}, "--json", stderr=theirs)
     os.close(theirs)
-    program.pause(0.5)
+    shown = shown_until(ours, has_lines)
     output, _ = ended(process, signal.SIGINT)
-    shown = read_all(ours)
+    shown += read_all(ours)
     os.close(ours)
     assert json.loads(output)["outcome"] == "interrupted"
     assert "\n" not in shown  # each line is written over the one before
@@ -174,9 +180,9 @@ def test_progress_line_fits_a_narrow_terminal(program):
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 40, 0, 0))
     process = program.start({"run.time": 1e6}, "--json", stderr=theirs)
     os.close(theirs)
-    program.pause(0.5)
+    shown = shown_until(ours, has_lines)
     ended(process, signal.SIGINT)
-    shown = read_all(ours).split("\r")
+    shown = (shown + read_all(ours)).split("\r")
     os.close(ours)
     assert all(len(line) < 40 for line in shown)
     lines = [line.rstrip() for line in shown if line.strip()]
@@ -188,7 +194,7 @@ def test_quiet_run_shows_nothing_on_a_terminal(program):
     ours, theirs = pty.openpty()
     process = program.start((), "--quiet", stderr=theirs)
     os.close(theirs)
-    program.pause(0.3)
+    let_work(process, 0.3)  # one that is not quiet begins with a line
     output, _ = ended(process, signal.SIGINT)
     assert (output, read_all(ours)) == ("", "")
     os.close(ours)

@@ -125,7 +125,7 @@ def test_quiet_with_json_prints_only_the_object(program):
     assert done.stderr == ""
 
 
-def test_no_progress_line_where_nobody_looks(program):
+def test_no_progress_line_without_a_terminal(program):
     assert "\r" not in program("run", "case.toml", "-o", "out.h5").stderr
 
 

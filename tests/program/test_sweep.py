@@ -13,7 +13,8 @@ import subprocess
 
 import pytest
 
-from sweeps import ENDLESS, SWEEP, has_worked, is_made, rows, wait_for
+from processes import MOST_SECONDS, has_worked, wait_for
+from sweeps import ENDLESS, SWEEP, is_made, rows
 from test_reliability import without_privilege
 
 
@@ -189,7 +190,7 @@ def test_interrupted_sweep_ends_cleanly_and_goes_on_later(sweep, sent):
     wait_for(lambda: is_made(sweep.folder / "s.sqlite"))
     wait_for(lambda: has_worked(process.pid))
     process.send_signal(sent)
-    output, errors = process.communicate(timeout=20)
+    output, errors = process.communicate(timeout=MOST_SECONDS)
     assert process.returncode == 130 and errors == ""
     assert "0 of 8 runs done" in output and "the same command goes on" in output
     assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"pending"}
@@ -206,7 +207,7 @@ def test_second_sweep_on_a_store_is_refused(sweep):
         assert sweep("sweep", "csv", "s.sqlite").stdout.count("pending") == 8  # readers may look
     finally:
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=20)
+        process.communicate(timeout=MOST_SECONDS)
 
 
 @pytest.mark.parametrize("content, told", [
@@ -260,7 +261,7 @@ def test_terminal_shows_one_progress_line(sweep):
     os.close(theirs)
     shown = os.read(ours, 4096).decode()
     process.send_signal(signal.SIGINT)
-    process.communicate(timeout=20)
+    process.communicate(timeout=MOST_SECONDS)
     os.close(ours)
     assert "0 of 8 runs done  2 running  0 failed" in shown
 
@@ -268,7 +269,7 @@ def test_terminal_shows_one_progress_line(sweep):
 def test_script_finds_killed_sweeps_equal_to_undisturbed_ones(sweep, checkout):
     done = subprocess.run(
         [checkout / "scripts" / "reliability" / "kill-a-sweep", "1"], text=True, capture_output=True,
-        timeout=120, env={**os.environ, "ZENOSPHERE": str(sweep.command()[0])})
+        timeout=MOST_SECONDS, env={**os.environ, "ZENOSPHERE": str(sweep.command()[0])})
     assert done.stdout.startswith("1 of 1 ") and done.returncode == 0, done.stdout + done.stderr
 
 

@@ -8,7 +8,8 @@ import subprocess
 
 import pytest
 
-from sweeps import has_worked, is_made, rows, wait_for
+from processes import MOST_SECONDS, has_worked, wait_for
+from sweeps import is_made, rows
 from test_sweep_mpi import has_mpi, mpirun
 
 # 32 sheared discs: runs at e = 0.2 have hundreds of hits, those at e = 0.9 none.
@@ -125,7 +126,7 @@ def test_interrupt_ends_an_adjudication_at_once_and_the_run_stays_to_be_done(dis
     wait_for(lambda: is_made(discs.folder / "s.sqlite"))
     wait_for(lambda: has_worked(process.pid, 1))
     process.send_signal(signal.SIGINT)
-    output, errors = process.communicate(timeout=20)
+    output, errors = process.communicate(timeout=MOST_SECONDS)
     assert (process.returncode, errors) == (130, "")
     assert "the same command goes on" in output
     assert rows(discs.folder / "s.sqlite")[0]["status"] == "pending"

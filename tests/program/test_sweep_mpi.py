@@ -7,7 +7,8 @@ import subprocess
 
 import pytest
 
-from sweeps import ENDLESS, has_worked, is_made, rows, wait_for
+from processes import MOST_SECONDS, has_worked, wait_for
+from sweeps import ENDLESS, is_made, rows
 
 
 def has_mpi(program):
@@ -19,7 +20,7 @@ def mpirun(program, ranks, *words):
     return subprocess.run(
         ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n", str(ranks),
          *program.command("sweep", *words)],
-        cwd=program.folder, capture_output=True, text=True, timeout=60)
+        cwd=program.folder, capture_output=True, text=True, timeout=MOST_SECONDS)
 
 
 def test_ranks_of_mpi_make_the_rows_that_threads_make(sweep):
@@ -53,6 +54,6 @@ def test_death_of_a_rank_ends_the_sweep_which_goes_on_later(sweep):
     rank = int(children.stdout.split()[-1])
     wait_for(lambda: has_worked(rank))
     os.kill(rank, signal.SIGKILL)
-    process.communicate(timeout=30)
+    process.communicate(timeout=MOST_SECONDS)
     assert process.returncode != 0
     assert {row["status"] for row in rows(sweep.folder / "s.sqlite")} == {"pending"}

@@ -5,6 +5,7 @@ import re
 import subprocess
 
 import pytest
+from processes import MOST_SECONDS
 
 PARTS = re.compile(r"(<!-- not run by the tests: .*? -->\n)?^```(\w+)\n(.*?)^```",
                    re.MULTILINE | re.DOTALL)
@@ -24,7 +25,7 @@ def clone(tmp_path, program, checkout):
 
 def output_of(folder, language, block):
     done = subprocess.run([*SHELLS[language], block], cwd=folder, capture_output=True, text=True,
-                          timeout=100, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+                          timeout=MOST_SECONDS, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
     assert done.returncode == 0, f"{block}\n{done.stdout}{done.stderr}"
     return done.stdout
 

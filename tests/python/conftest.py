@@ -9,7 +9,7 @@ import pytest
 CHECKOUT = Path(__file__).resolve().parents[2]
 if importlib.util.find_spec("zenosphere") is None:  # pytest by hand; ctest says where it is
     sys.path[:0] = [str(CHECKOUT / "build" / "python"), str(CHECKOUT / "python")]
-sys.path.append(str(CHECKOUT / "tests" / "program"))  # identity.py
+sys.path.append(str(CHECKOUT / "tests" / "program"))  # identity.py, processes.py
 
 from synthetic import false_positive, true_collapse, write_run  # noqa: E402
 

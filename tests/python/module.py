@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from processes import MOST_SECONDS  # tests/program
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("ZENOSPHERE", CHECKOUT / "build" / "zenosphere")).resolve()
@@ -29,12 +30,12 @@ ENDLESS = {"run.collisions": 10**12}
 def program(*words):
     """What the program prints; its exit code has to be 0."""
     return subprocess.run([PROGRAM, *words], check=True, capture_output=True, text=True,
-                          timeout=30).stdout
+                          timeout=MOST_SECONDS).stdout
 
 
 def failure(*words):
     """Exit code and standard error of the program."""
-    done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=30)
+    done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=MOST_SECONDS)
     return done.returncode, done.stderr.rstrip("\n")
 
 

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from processes import MOST_SECONDS
 
 BENCH = Path(__file__).resolve().parents[2] / "bench"
 sys.path.insert(0, str(BENCH))
@@ -40,7 +41,7 @@ def build(tmp_path):
 
 def compare(build, *words):
     return subprocess.run([BENCH / "compare", "--build", build, *words], capture_output=True,
-                          text=True, timeout=60)
+                          text=True, timeout=MOST_SECONDS)
 
 
 def fake_peer(tmp_path):

@@ -11,6 +11,7 @@ import time
 import pytest
 from identity import differences
 from module import ENDLESS, SHEARED, failure, joined, needed, program, ran_by_program
+from processes import MOST_SECONDS
 
 import zenosphere
 from zenosphere.errors import in_python_words
@@ -101,7 +102,7 @@ def test_saved_run_survives_the_death_of_its_process(tmp_path):
               "run.skip(700); run.save(); run.skip(200); os._exit(9)\n")
     file = tmp_path / "case.toml"
     file.write_text(case().resolved)
-    done = subprocess.run([sys.executable, "-c", script, file, output], timeout=30)
+    done = subprocess.run([sys.executable, "-c", script, file, output], timeout=MOST_SECONDS)
     assert done.returncode == 9
     run = zenosphere.Run.resume(output)
     assert run.collisions == 700

@@ -10,6 +10,7 @@ import sys
 
 import pytest
 from module import CHECKOUT, PROGRAM, needed
+from processes import MOST_SECONDS
 
 import zenosphere
 
@@ -107,7 +108,7 @@ def test_unknown_name_is_an_attribute_error():
 def test_example_runs(tmp_path, example):
     """Each takes the number of collisions as its argument."""
     done = subprocess.run([sys.executable, example, "3000"], cwd=tmp_path, check=True,
-                          capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
+                          capture_output=True, text=True, env=ENVIRONMENT, timeout=MOST_SECONDS)
     assert "3000" in done.stdout and done.stderr == ""
 
 
@@ -117,7 +118,7 @@ def test_python_of_the_page_runs_from_its_first_line_to_its_last(tmp_path):
     (tmp_path / "examples").symlink_to(CHECKOUT / "examples")
     script = "\n".join(BLOCK.findall(PAGE.read_text()))
     done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, check=True,
-                          capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
+                          capture_output=True, text=True, env=ENVIRONMENT, timeout=MOST_SECONDS)
     assert done.stdout and done.stderr == ""
     assert "nan" not in done.stdout
 
@@ -136,11 +137,11 @@ def test_installed_package_has_the_program_as_its_command(tmp_path):
     pytest.importorskip("pip", reason="python3-pip is not installed; scripts/test does that")
     build = PROGRAM.parent
     subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-build-isolation",
-                    "--no-deps", "--wheel-dir", tmp_path, CHECKOUT], check=True, timeout=100,
-                   env={**os.environ, "ZENOSPHERE_BUILD": str(build)})
+                    "--no-deps", "--wheel-dir", tmp_path, CHECKOUT], check=True,
+                   timeout=MOST_SECONDS, env={**os.environ, "ZENOSPHERE_BUILD": str(build)})
     [wheel] = tmp_path.glob("zenosphere-*.whl")
     subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--target",
-                    tmp_path / "there", wheel], check=True, timeout=100)
+                    tmp_path / "there", wheel], check=True, timeout=MOST_SECONDS)
     command = [tmp_path / "there" / "bin" / "zenosphere"]
     environment = {**os.environ, "PYTHONPATH": str(tmp_path / "there")}
     for words, told in ((["--version"], f"zenosphere {zenosphere.__version__} "),

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -76,6 +78,31 @@ inline Record next(Gas& gas) {
     if (auto collision = gas.next_collision(1e6)) return *collision;
   }
   throw std::runtime_error("no collision");
+}
+
+/// Expects the next collisions of two gases to be of the same spheres, one after the other, at
+/// times that differ by `tolerance` at most.
+inline void expect_like_collisions(Gas& one, Gas& other, int collisions, double tolerance) {
+  for (int n = 0; n < collisions; ++n) {
+    const Record a = next(one);
+    const Record b = next(other);
+    ASSERT_EQ(a.i, b.i) << "collision " << a.number;
+    ASSERT_EQ(a.j, b.j) << "collision " << a.number;
+    ASSERT_NEAR(one.time(), other.time(), tolerance) << "collision " << a.number;
+  }
+}
+
+/// Expects the next collisions of two gases to be the same bit for bit.
+inline void expect_same_collisions(Gas& one, Gas& other, int collisions) {
+  for (int n = 0; n < collisions; ++n) {
+    const Record a = next(one);
+    const Record b = next(other);
+    ASSERT_EQ(a.i, b.i) << "collision " << a.number;
+    ASSERT_EQ(a.j, b.j) << "collision " << a.number;
+    ASSERT_EQ(a.time.remainder, b.time.remainder) << "collision " << a.number;
+    ASSERT_EQ(a.gap_before, b.gap_before) << "collision " << a.number;
+    ASSERT_EQ(a.change, b.change) << "collision " << a.number;
+  }
 }
 
 /// Twice the kinetic energy of the peculiar motion, mass (diameter/time)^2.

@@ -7,7 +7,7 @@
 namespace zenosphere {
 namespace {
 
-TEST(RanksInEnvironment, IsOneWhereNobodyLaunchedThem) {
+TEST(RanksInEnvironment, IsOneWithoutALauncher) {
   EXPECT_EQ(ranks_in_environment([](const char*) -> const char* { return nullptr; }), 1);
 }
 

@@ -15,13 +15,13 @@ using Criterion = ArrestCriterion<3, double>;
 using Pair = Criterion::Pair;
 
 constexpr double gap_threshold = 1e-16;
-constexpr double kTime = 0.5;
+constexpr double contact_moment = 0.5;
 
 /// Hands collisions to a criterion of window 8 that does not ask how often each pair has met,
 /// numbered from 1; time and gap stand still.
 class Arrest : public testing::Test {
  protected:
-  void observe(Pair pair, double gap = 0, double remainder = kTime) {
+  void observe(Pair pair, double gap = 0, double remainder = contact_moment) {
     criterion.observe(record(++number, pair.first, pair.second, gap, remainder));
   }
   void repeat(Pair pair, int times) {
@@ -38,7 +38,7 @@ TEST_F(Arrest, OfASinglePairIsMetExactlyOneWindowAfterItsFirstCollision) {
   repeat({3, 4}, 1);  // collision 9 = 1 + 8
   EXPECT_TRUE(criterion.is_met());
   EXPECT_EQ(criterion.collision(), 9);
-  EXPECT_EQ(criterion.time(), kTime);
+  EXPECT_EQ(criterion.time(), contact_moment);
   EXPECT_EQ(criterion.pairs(), (std::vector<Pair>{{3, 4}}));
 }
 
@@ -96,7 +96,7 @@ TEST_F(Arrest, HoldsAtTheThresholdAndInOverlap) {
 
 TEST_F(Arrest, StartsAgainWhenTheClockMovesByItsLastBit) {
   repeat({0, 1}, 7);
-  const double later = kTime + 0x1p-53;
+  const double later = contact_moment + 0x1p-53;
   observe({0, 1}, 0, later);
   for (int n = 0; n < 7; ++n) observe({0, 1}, 0, later);
   EXPECT_FALSE(criterion.is_met());
@@ -106,17 +106,17 @@ TEST_F(Arrest, StartsAgainWhenTheClockMovesByItsLastBit) {
 }
 
 TEST_F(Arrest, TakesAClockThatStepsBackAsStanding) {
-  observe({0, 1}, 0, kTime);
+  observe({0, 1}, 0, contact_moment);
   for (int n = 0; n < 4; ++n) {
-    observe({0, 1}, 0, kTime - 0x1p-53);
-    observe({0, 1}, 0, kTime);  // no later than the first one
+    observe({0, 1}, 0, contact_moment - 0x1p-53);
+    observe({0, 1}, 0, contact_moment);  // no later than the first one
   }
   EXPECT_EQ(criterion.collision(), 9);
 }
 
 TEST_F(Arrest, StartsAgainWhenTheClockGoesToTheNextUnit) {
   for (int n = 0; n < 20; ++n) {
-    auto collision = record(++number, 0, 1, 0, kTime);
+    auto collision = record(++number, 0, 1, 0, contact_moment);
     collision.time.units = n / 5;
     criterion.observe(collision);
   }
@@ -140,7 +140,7 @@ TEST_F(Arrest, StaysAsItWasOnceMet) {
   observe({2, 3}, 1, 0.75);
   for (int n = 0; n < 20; ++n) observe({2, 3}, 0, 0.75);
   EXPECT_EQ(criterion.collision(), 9);
-  EXPECT_EQ(criterion.time(), kTime);
+  EXPECT_EQ(criterion.time(), contact_moment);
   EXPECT_EQ(criterion.pairs(), (std::vector<Pair>{{0, 1}}));
 }
 
@@ -149,7 +149,7 @@ TEST(ArrestCriterion, AsksThatThePairsHaveMetAHundredTimesEach) {
   Criterion criterion(gap_threshold, 8, 1.0);
   for (std::int64_t number = 1; !criterion.is_met() && number < 1000; ++number) {
     const auto i = static_cast<std::int32_t>(number % 3);
-    criterion.observe(record(number, i, i + 1, 0, kTime));
+    criterion.observe(record(number, i, i + 1, 0, contact_moment));
   }
   EXPECT_EQ(criterion.collision(), 301);
   EXPECT_EQ(criterion.pairs().size(), 3u);
@@ -159,7 +159,7 @@ TEST(ArrestCriterion, OfALongWindowDoesNotDependOnHowOftenEachPairHasMet) {
   Criterion criterion(gap_threshold, 1000, 1.0);
   for (std::int64_t number = 1; !criterion.is_met() && number < 2000; ++number) {
     const auto i = static_cast<std::int32_t>(number % 3);
-    criterion.observe(record(number, i, i + 1, 0, kTime));
+    criterion.observe(record(number, i, i + 1, 0, contact_moment));
   }
   EXPECT_EQ(criterion.collision(), 1001);
 }
@@ -182,7 +182,7 @@ TEST(ArrestCriterion, RefusesAnArrestInAnArchiveThatHasNoPairs) {
     const std::vector<std::pair<Pair, std::int64_t>> seen{{{0, 1}, 9}};
     ArchiveWriter writer;
     writer(std::int64_t{1}, std::int64_t{1}, Instant<double>{}, seen);
-    writer(std::optional(std::int64_t{9}), std::optional(kTime), pairs);
+    writer(std::optional(std::int64_t{9}), std::optional(contact_moment), pairs);
     Criterion criterion(gap_threshold, 8, 1.0);
     ArchiveReader(writer.bytes())(criterion);
   };

@@ -13,13 +13,13 @@
 namespace zenosphere {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr std::int32_t kNone = Calendar<double>::kNone;
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr std::int32_t no_sphere = Calendar<double>::none;
 
 /// The same calendar the simple way.
 class Reference {
  public:
-  explicit Reference(std::int32_t size) : times_(static_cast<std::size_t>(size), kNever) {}
+  explicit Reference(std::int32_t size) : times_(static_cast<std::size_t>(size), never) {}
 
   void schedule(std::int32_t id, double time) {
     auto& old = times_[static_cast<std::size_t>(id)];
@@ -31,12 +31,12 @@ class Reference {
       }
     }
     old = time;
-    if (time < kNever) events_.emplace(time, id);
+    if (time < never) events_.emplace(time, id);
   }
 
   /// Of equal times, the lowest number.
   std::int32_t earliest() const {
-    if (events_.empty()) return kNone;
+    if (events_.empty()) return no_sphere;
     std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
     const auto [begin, end] = events_.equal_range(events_.begin()->first);
     for (auto event = begin; event != end; ++event) lowest = std::min(lowest, event->second);
@@ -47,7 +47,7 @@ class Reference {
     events_.clear();
     for (std::size_t id = 0; id < times_.size(); ++id) {
       times_[id] -= span;
-      if (times_[id] < kNever) events_.emplace(times_[id], static_cast<std::int32_t>(id));
+      if (times_[id] < never) events_.emplace(times_[id], static_cast<std::int32_t>(id));
     }
   }
 
@@ -62,7 +62,7 @@ class Reference {
 double some_time(support::Dice& dice, double now) {
   switch (dice.below(12)) {
     case 0:
-      return kNever;
+      return never;
     case 1:
       return now;  // at once
     case 2:
@@ -101,7 +101,7 @@ void compare_random_operations(std::int32_t size, int operations, std::uint64_t 
     // As a run does: the earliest event is done and replaced.
     const std::int32_t next = calendar.earliest();
     ASSERT_EQ(next, reference.earliest()) << "operation " << n;
-    if (next == kNone) continue;
+    if (next == no_sphere) continue;
     ASSERT_EQ(calendar.time(next), reference.time(next));
     now = std::min(std::max(now, calendar.time(next)), 1e9);
     const double later = some_time(dice, now);
@@ -109,12 +109,12 @@ void compare_random_operations(std::int32_t size, int operations, std::uint64_t 
     reference.schedule(next, later);
   }
   // Empties it, so that every event comes out, the outliers too.
-  for (std::int32_t left = calendar.earliest(); left != kNone; left = calendar.earliest()) {
+  for (std::int32_t left = calendar.earliest(); left != no_sphere; left = calendar.earliest()) {
     ASSERT_EQ(left, reference.earliest());
-    calendar.schedule(left, kNever);
-    reference.schedule(left, kNever);
+    calendar.schedule(left, never);
+    reference.schedule(left, never);
   }
-  EXPECT_EQ(reference.earliest(), kNone);
+  EXPECT_EQ(reference.earliest(), no_sphere);
 }
 
 TEST(Calendar, AgreesWithASortedMapOverRandomOperations) {
@@ -132,12 +132,12 @@ TEST(Calendar, AgreesWithASortedMapForFewSpheres) {
 
 TEST(Calendar, IsEmptyAtFirstAndAfterItsEventsAreTakenBack) {
   Calendar<double> calendar(3);
-  EXPECT_EQ(calendar.earliest(), kNone);
-  EXPECT_EQ(calendar.time(1), kNever);
+  EXPECT_EQ(calendar.earliest(), no_sphere);
+  EXPECT_EQ(calendar.time(1), never);
   calendar.schedule(1, 4);
   EXPECT_EQ(calendar.earliest(), 1);
-  calendar.schedule(1, kNever);
-  EXPECT_EQ(calendar.earliest(), kNone);
+  calendar.schedule(1, never);
+  EXPECT_EQ(calendar.earliest(), no_sphere);
 }
 
 TEST(Calendar, GivesEqualTimesInTheOrderOfTheNumbers) {
@@ -145,7 +145,7 @@ TEST(Calendar, GivesEqualTimesInTheOrderOfTheNumbers) {
   for (std::int32_t id = 99; id >= 0; --id) calendar.schedule((id * 37) % 100, 2.5);
   for (std::int32_t id = 0; id < 100; ++id) {
     ASSERT_EQ(calendar.earliest(), id);
-    calendar.schedule(id, kNever);
+    calendar.schedule(id, never);
   }
 }
 
@@ -171,9 +171,9 @@ TEST(Calendar, TakesMoreEventsThanABinHasRoomFor) {
   for (const double time : times) {
     const std::int32_t next = calendar.earliest();
     ASSERT_EQ(calendar.time(next), time);
-    calendar.schedule(next, kNever);
+    calendar.schedule(next, never);
   }
-  EXPECT_EQ(calendar.earliest(), Calendar<double>::kNone);
+  EXPECT_EQ(calendar.earliest(), Calendar<double>::none);
 }
 
 TEST(Calendar, LinesUpTheNextEventsInOrder) {
@@ -192,7 +192,7 @@ TEST(Calendar, LinesUpTheNextEventsInOrder) {
     ASSERT_GE(calendar.line().size(), 40u);
     ASSERT_EQ(calendar.passed(), static_cast<std::int64_t>(done));
     for (std::size_t k = 0; k < 40; ++k) ASSERT_EQ(calendar.line()[k].time, times[done + k]);
-    calendar.schedule(next, kNever);
+    calendar.schedule(next, never);
   }
 }
 
@@ -202,7 +202,7 @@ TEST(Calendar, FindsTheCrowdBehindAHugeOutlierAndTheOutlierBehindTheCrowd) {
   for (std::int32_t id = 1; id < 200; ++id) calendar.schedule(id, 1e-9 * id);
   for (std::int32_t id = 1; id < 200; ++id) {
     ASSERT_EQ(calendar.earliest(), id);
-    calendar.schedule(id, kNever);
+    calendar.schedule(id, never);
   }
   EXPECT_EQ(calendar.earliest(), 0);
 }
@@ -215,7 +215,7 @@ TEST(Calendar, SetBackMovesEveryEventAndNoInfinity) {
   calendar.shift_times(1);
   EXPECT_EQ(calendar.time(0), 0.5);
   EXPECT_EQ(calendar.time(1), 0.25);
-  EXPECT_EQ(calendar.time(2), kNever);
+  EXPECT_EQ(calendar.time(2), never);
   EXPECT_EQ(calendar.earliest(), 1);
   calendar.schedule(2, 0.125);  // before the times that were current when they were shifted
   EXPECT_EQ(calendar.earliest(), 2);

@@ -11,7 +11,7 @@ TEST(CellLists, KnowWhichSpheresAreInACell) {
   CellLists lists(27, 4);
   const auto spheres_of = [&](std::int32_t cell) {
     std::set<std::int32_t> spheres;
-    for (auto id = lists.first(cell); id != CellLists::kNone; id = lists.next(id)) {
+    for (auto id = lists.first(cell); id != CellLists::none; id = lists.next(id)) {
       spheres.insert(id);
     }
     return spheres;

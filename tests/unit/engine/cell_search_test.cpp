@@ -21,7 +21,7 @@ using Search = CellSearch<3>;
 /// Spheres, each in its image.
 using Seen = std::multiset<std::uint32_t>;
 
-constexpr Steps<3> kShape{7, 4, 5};
+constexpr Steps<3> crowd_shape{7, 4, 5};
 
 struct Flow {
   bool slides;
@@ -29,11 +29,11 @@ struct Flow {
   int whole_slide;
   int whole_offset;
 };
-const std::vector<Flow> kFlows{{false, false, 0, 0},
-                               {true, false, 0, 0},
-                               {true, false, 6, 0},
-                               {false, true, 0, -3},
-                               {true, true, 4, 2}};
+const std::vector<Flow> crowd_flows{{false, false, 0, 0},
+                                    {true, false, 0, 0},
+                                    {true, false, 6, 0},
+                                    {false, true, 0, -3},
+                                    {true, true, 4, 2}};
 
 Seen seen(std::span<const Neighbour> neighbours) {
   Seen seen;
@@ -52,7 +52,8 @@ Seen new_in(const Seen& after, const Seen& before) {
 
 /// 400 spheres in 140 cells, three in the mean: in many more than have places there.
 struct Crowd {
-  explicit Crowd(const Flow& flow) : cells(kShape), search(kShape, 400, {flow.slides, false}) {
+  explicit Crowd(const Flow& flow)
+      : cells(crowd_shape), search(crowd_shape, 400, {flow.slides, false}) {
     cells.slide_to(flow.whole_slide);
     cells.displace_images(flow.whole_offset);
     if (flow.is_displaced) search.displace_images();
@@ -89,7 +90,7 @@ TEST(CellSearch, SeesAllInTheCellsAroundOnce) {
       bool is_near = true;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const int apart = std::abs(there[axis] - home[axis]);
-        is_near = is_near && std::min(apart, kShape[axis] - apart) <= 1;
+        is_near = is_near && std::min(apart, crowd_shape[axis] - apart) <= 1;
       }
       if (is_near) expected.insert(static_cast<std::uint32_t>(i));
     }
@@ -98,7 +99,7 @@ TEST(CellSearch, SeesAllInTheCellsAroundOnce) {
 }
 
 TEST(CellSearch, TellsAtEachFaceJustWhomASphereHasNotSeen) {
-  for (const Flow& flow : kFlows) {
+  for (const Flow& flow : crowd_flows) {
     const Crowd crowd(flow);
     for_each_cell(crowd, [&](const Steps<3>& from) {
       const Seen before = crowd.around(from);
@@ -110,18 +111,18 @@ TEST(CellSearch, TellsAtEachFaceJustWhomASphereHasNotSeen) {
         for (const int axis : {0, 2}) {
           const auto a = static_cast<std::size_t>(axis);
           Steps<3> to = from;
-          to[a] = (from[a] + direction + kShape[a]) % kShape[a];
+          to[a] = (from[a] + direction + crowd_shape[a]) % crowd_shape[a];
           expect_new(axis, direction, to);
         }
         // Into any column of the next layer that may lie beyond the face.
         const int y = from[1] + direction;
-        const int periods = y < 0 ? -1 : y == kShape[1] ? 1 : 0;
+        const int periods = y < 0 ? -1 : y == crowd_shape[1] ? 1 : 0;
         const int beside = from[0] - direction * flow.whole_slide - periods * flow.whole_offset;
         const auto columns =
             crowd.search.reach(crowd.cells, from)[static_cast<std::size_t>(1 + direction)];
         for (int step = columns.from + 1; step < columns.to; ++step) {
-          const int column = ((beside + step) % kShape[0] + kShape[0]) % kShape[0];
-          expect_new(1, direction, {column, y - periods * kShape[1], from[2]});
+          const int column = ((beside + step) % crowd_shape[0] + crowd_shape[0]) % crowd_shape[0];
+          expect_new(1, direction, {column, y - periods * crowd_shape[1], from[2]});
         }
       }
     });
@@ -129,7 +130,7 @@ TEST(CellSearch, TellsAtEachFaceJustWhomASphereHasNotSeen) {
 }
 
 TEST(CellSearch, TellsOneOfEachPairThatLayersBringTogether) {
-  for (const Flow& flow : kFlows) {
+  for (const Flow& flow : crowd_flows) {
     if (!flow.slides) continue;
     Crowd crowd(flow);
     const auto all_around = [&] {
@@ -159,7 +160,7 @@ TEST(CellSearch, TellsOneOfEachPairThatLayersBringTogether) {
 }
 
 TEST(CellSearch, FindsTheWayOnWhichASphereIsSeen) {
-  for (const Flow& flow : kFlows) {
+  for (const Flow& flow : crowd_flows) {
     const Crowd crowd(flow);
     for_each_cell(crowd, [&](const Steps<3>& home) {
       std::size_t image_count = 0;

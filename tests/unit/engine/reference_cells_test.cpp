@@ -12,8 +12,8 @@
 namespace zenosphere {
 namespace {
 
-constexpr int kCells = 4;
-constexpr int kWidth = 5000;  // grains, along x
+constexpr int cells_in_row = 4;
+constexpr int row_width = 5000;  // grains, along x
 
 struct Place {
   std::int32_t cell;
@@ -26,7 +26,7 @@ std::set<std::int32_t> within(const std::vector<Place>& places, const ReferenceC
   std::set<std::int32_t> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [cell, reference] = places[i];
-    const int dx = std::abs(reference.place[0] + cell * kWidth - row.place[0]);
+    const int dx = std::abs(reference.place[0] + cell * row_width - row.place[0]);
     const int along = std::max(0, dx - row.slide);
     const int dy = reference.place[1] - row.place[1];
     const int dz = reference.place[2] - row.place[2];
@@ -42,11 +42,12 @@ void expect_agreement(int spheres) {
   const auto somewhere = [&](int from, int to) {
     return static_cast<std::int16_t>(from + dice.below(to - from));
   };
-  ReferenceCells cells(kCells);
+  ReferenceCells cells(cells_in_row);
   std::vector<Place> places;
   for (std::int32_t i = 0; i < spheres; ++i) {
-    places.push_back({dice.below(kCells), {}});
-    places.back().reference.place = {somewhere(0, kWidth), somewhere(0, 6000), somewhere(0, 6000)};
+    places.push_back({dice.below(cells_in_row), {}});
+    places.back().reference.place = {somewhere(0, row_width), somewhere(0, 6000),
+                                     somewhere(0, 6000)};
     cells.insert(i, places.back().cell, places.back().reference);
   }
   const PeriodicImage periodic_image(Steps<3>{1, 0, -1}, 1);
@@ -55,22 +56,22 @@ void expect_agreement(int spheres) {
     const std::int32_t moved = dice.below(spheres);
     Place& place = places[static_cast<std::size_t>(moved)];
     cells.remove(moved, place.cell);
-    place.cell = dice.below(kCells);
+    place.cell = dice.below(cells_in_row);
     cells.insert(moved, place.cell, place.reference);
 
-    const ReferenceCells::Row row{
-        .first = 0,
-        .last = kCells - 1,
-        .periodic_image = periodic_image,
-        .place = {somewhere(-kWidth, 2 * kWidth), somewhere(-6000, 12000), somewhere(-6000, 12000)},
-        .slide = somewhere(0, n % 2 == 0 ? 1 : 2000)};
+    const ReferenceCells::Row row{.first = 0,
+                                  .last = cells_in_row - 1,
+                                  .periodic_image = periodic_image,
+                                  .place = {somewhere(-row_width, 2 * row_width),
+                                            somewhere(-6000, 12000), somewhere(-6000, 12000)},
+                                  .slide = somewhere(0, n % 2 == 0 ? 1 : 2000)};
     std::array<ReferenceCells::Row, 2> halves{row, row};
     halves[0].last = 1;
     halves[1].first = 2;
-    halves[1].place[0] -= 2 * kWidth;
+    halves[1].place[0] -= 2 * row_width;
     halves[1].periodic_image = another_image;
-    const ReferenceCells::Range range{dice.below(36000000), kWidth};
-    std::vector<Neighbour> found(kCells * cells.room() + ReferenceCells::slack);
+    const ReferenceCells::Range range{dice.below(36000000), row_width};
+    std::vector<Neighbour> found(cells_in_row * cells.room() + ReferenceCells::slack);
     const Neighbour* const end = cells.find(halves, range, found.data());
     std::set<std::int32_t> spheres_found;
     for (const Neighbour* one = found.data(); one != end; ++one) {
@@ -86,13 +87,13 @@ TEST(ReferenceCells, FindWhatIsWithinADistance) { expect_agreement(10); }
 
 TEST(ReferenceCells, FindItInCrowdedCells) { expect_agreement(120); }
 
-TEST(ReferenceCells, FindNobodyInEmptyCells) {
-  const ReferenceCells cells(kCells);
+TEST(ReferenceCells, FindNothingInEmptyCells) {
+  const ReferenceCells cells(cells_in_row);
   for (const auto x : {std::int16_t{-9000}, std::int16_t{0}, std::int16_t{24000}}) {
-    std::vector<Neighbour> found(kCells * cells.room() + ReferenceCells::slack);
+    std::vector<Neighbour> found(cells_in_row * cells.room() + ReferenceCells::slack);
     const std::array<ReferenceCells::Row, 1> row{
-        {{0, kCells - 1, PeriodicImage(), {x, 0, 0}, 1500}}};
-    EXPECT_EQ(cells.find(row, ReferenceCells::Range{6000 * 6000, kWidth}, found.data()),
+        {{0, cells_in_row - 1, PeriodicImage(), {x, 0, 0}, 1500}}};
+    EXPECT_EQ(cells.find(row, ReferenceCells::Range{6000 * 6000, row_width}, found.data()),
               found.data());
   }
 }

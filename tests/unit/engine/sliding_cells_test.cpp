@@ -11,13 +11,13 @@ namespace {
 
 using Cells = SlidingCells<3>;
 
-const std::vector<Steps<3>> kShapes{{2, 2, 2}, {3, 3, 3}, {4, 4, 4}, {2, 4, 3},
-                                    {4, 2, 2}, {3, 2, 5}, {5, 3, 2}, {5, 6, 4}};
+const std::vector<Steps<3>> cell_shapes{{2, 2, 2}, {3, 3, 3}, {4, 4, 4}, {2, 4, 3},
+                                        {4, 2, 2}, {3, 2, 5}, {5, 3, 2}, {5, 6, 4}};
 /// Three columns of the own layer, five of the others: as far as a list under shear looks.
-constexpr Cells::Reach kWide{{{-3, 1}, {-1, 1}, {-1, 3}}};
+constexpr Cells::Reach wide_reach{{{-3, 1}, {-1, 1}, {-1, 3}}};
 
 TEST(SlidingCells, CoordinatesAndNumbersAgree) {
-  for (const Steps<3>& shape : kShapes) {
+  for (const Steps<3>& shape : cell_shapes) {
     const Cells cells(shape);
     for (std::int32_t cell = 0; cell < cells.count(); ++cell) {
       const Steps<3> coordinates = cells.coordinates(cell);
@@ -46,7 +46,7 @@ void expect_each_cell_around_once(const Cells& cells, const Steps<3>& shape) {
     std::set<std::tuple<std::int32_t, std::int32_t>> found;
     std::set<Steps<3>> steps_found;
     cells.for_each_run(
-        home, kWide,
+        home, wide_reach,
         [&](std::int32_t first, std::int32_t last, PeriodicImage periodic_image, Steps<3> steps) {
           for (std::int32_t cell = first; cell <= last; ++cell, ++steps[0]) {
             ASSERT_EQ(missing(cells, shape, home, cell, periodic_image, steps), (Steps<3>{}));
@@ -61,7 +61,7 @@ void expect_each_cell_around_once(const Cells& cells, const Steps<3>& shape) {
 }
 
 TEST(SlidingCells, RunsLeadToEachCellAroundOnceAndOnItsWay) {
-  for (const Steps<3>& shape : kShapes) {
+  for (const Steps<3>& shape : cell_shapes) {
     for (const int offset : {0, -shape[0] / 2, (shape[0] - 1) / 2}) {
       Cells cells(shape);
       cells.displace_images(offset);

@@ -73,7 +73,7 @@ TEST_F(ExportFiles, AtomicFileThatIsNotPutInPlaceLeavesNothing) {
   EXPECT_EQ(files(), 0);
 }
 
-TEST_F(ExportFiles, AtomicFileDoesNotReplaceWhatSomebodyElseMadeMeanwhile) {
+TEST_F(ExportFiles, AtomicFileDoesNotReplaceWhatAnotherProcessMadeMeanwhile) {
   AtomicFile text(folder.path / "text", Existing::refuse);
   std::ofstream(text.path()) << "new";
   std::ofstream(folder.path / "text") << "theirs";

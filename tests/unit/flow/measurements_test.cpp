@@ -14,7 +14,7 @@ using support::Box;
 using support::Gas;
 using support::State;
 
-constexpr double kVolume = 20 * 20 * 20;
+constexpr double gas_volume = 20 * 20 * 20;
 
 /// Two spheres that meet head-on at time 1 at (6.5, 10, 10), and leave each other for good.
 Gas head_on(double restitution) {
@@ -47,12 +47,12 @@ TEST(Measurements, AverageTwoSpheresHeadOn) {
   EXPECT_DOUBLE_EQ(averages.temperature_diagonal[0], 3.0 / (2 * 3));
   EXPECT_DOUBLE_EQ(averages.temperature_diagonal[1], 0);
   EXPECT_DOUBLE_EQ(averages.granular_temperature, 3.0 / (3 * 2 * 3));
-  EXPECT_DOUBLE_EQ(averages.pressure_tensor[0], (3 + 1.5) / (kVolume * 3));
+  EXPECT_DOUBLE_EQ(averages.pressure_tensor[0], (3 + 1.5) / (gas_volume * 3));
   for (std::size_t ab = 1; ab < 9; ++ab) EXPECT_DOUBLE_EQ(averages.pressure_tensor[ab], 0);
-  EXPECT_DOUBLE_EQ(averages.pressure, (3 + 1.5) / (3 * kVolume * 3));
+  EXPECT_DOUBLE_EQ(averages.pressure, (3 + 1.5) / (3 * gas_volume * 3));
   EXPECT_DOUBLE_EQ(averages.compressibility_factor, (3 + 1.5) / 3);
   EXPECT_DOUBLE_EQ(averages.collision_rate, 2.0 / (2 * 3));  // one collision is one for each
-  EXPECT_DOUBLE_EQ(averages.dissipation, 0.75 / (kVolume * 3));
+  EXPECT_DOUBLE_EQ(averages.dissipation, 0.75 / (gas_volume * 3));
   EXPECT_DOUBLE_EQ(averages.normal_speed, 2);
   EXPECT_EQ(averages.shear_work, 0);
   EXPECT_LT(measurements.ledger_error(gas), 1e-15);
@@ -64,14 +64,14 @@ TEST(Measurements, AverageFromAfterTimeOnly) {
   Measurements<3, double> from_before(before, 0.5);
   run(before, from_before, 3);
   EXPECT_DOUBLE_EQ(from_before.averages(before)->granular_temperature, 2.0 / (3 * 2 * 2.5));
-  EXPECT_DOUBLE_EQ(from_before.averages(before)->pressure, (2 + 1.5) / (3 * kVolume * 2.5));
+  EXPECT_DOUBLE_EQ(from_before.averages(before)->pressure, (2 + 1.5) / (3 * gas_volume * 2.5));
   EXPECT_DOUBLE_EQ(from_before.averages(before)->from_time, 0.5);
   // From 2 to 3: 2 x 0.25 x 1, and no collision any more.
   Gas after = head_on(0.5);
   Measurements<3, double> from_after(after, 2);
   run(after, from_after, 3);
   EXPECT_DOUBLE_EQ(from_after.averages(after)->granular_temperature, 0.5 / (3 * 2 * 1));
-  EXPECT_DOUBLE_EQ(from_after.averages(after)->pressure, 0.5 / (3 * kVolume * 1));
+  EXPECT_DOUBLE_EQ(from_after.averages(after)->pressure, 0.5 / (3 * gas_volume * 1));
   EXPECT_EQ(from_after.averages(after)->collision_rate, 0);
   EXPECT_EQ(from_after.averages(after)->dissipation, 0);
 }
@@ -133,13 +133,13 @@ TEST(Measurements, KnowFreeFlightInShearByHand) {
     const double span = to - from;
     const double xx = (std::pow(to, 3) - std::pow(from, 3)) / 6;
     const double xy = -(to * to - from * from) / 2;
-    EXPECT_NEAR(averages.pressure_tensor[0] * kVolume * span, xx, 1e-13);
-    EXPECT_NEAR(averages.pressure_tensor[1] * kVolume * span, xy, 1e-13);
-    EXPECT_NEAR(averages.pressure_tensor[3] * kVolume * span, xy, 1e-13);
-    EXPECT_NEAR(averages.pressure_tensor[4] * kVolume * span, 2 * span, 1e-13);
+    EXPECT_NEAR(averages.pressure_tensor[0] * gas_volume * span, xx, 1e-13);
+    EXPECT_NEAR(averages.pressure_tensor[1] * gas_volume * span, xy, 1e-13);
+    EXPECT_NEAR(averages.pressure_tensor[3] * gas_volume * span, xy, 1e-13);
+    EXPECT_NEAR(averages.pressure_tensor[4] * gas_volume * span, 2 * span, 1e-13);
     EXPECT_EQ(averages.pressure_tensor[8], 0);
     EXPECT_NEAR(averages.granular_temperature, (xx + 2 * span) / (3 * 2 * span), 1e-14);
-    EXPECT_NEAR(averages.shear_work * kVolume * span, -0.5 * xy, 1e-13);
+    EXPECT_NEAR(averages.shear_work * gas_volume * span, -0.5 * xy, 1e-13);
     // The spheres' energy grows from 1 to 1 + (rate t)^2 = 2 at time 2: work 1 = rate x 2.
     EXPECT_NEAR(support::twice_energy(gas) / 2, 2, 1e-14);
     EXPECT_LT(measurements.ledger_error(gas), 1e-14);

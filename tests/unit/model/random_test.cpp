@@ -43,11 +43,11 @@ TEST(Random, UniformIsTheStandardGeneratorOnA53BitGrid) {
 }
 
 TEST(Random, UniformHasTheMomentsOfTheUnitInterval) {
-  constexpr int kCount = 1000000;
+  constexpr int draws = 1000000;
   Random random(2);
   double sum = 0;
   double squares = 0;
-  for (int n = 0; n < kCount; ++n) {
+  for (int n = 0; n < draws; ++n) {
     const double value = random.uniform();
     ASSERT_GE(value, 0);
     ASSERT_LT(value, 1);
@@ -55,43 +55,43 @@ TEST(Random, UniformHasTheMomentsOfTheUnitInterval) {
     squares += value * value;
   }
   // Mean 1/2, variance 1/12; mean square 1/3, variance of the square 1/5 - 1/9 = 4/45.
-  EXPECT_NEAR(sum / kCount, 0.5, 5 * std::sqrt(1.0 / 12 / kCount));
-  EXPECT_NEAR(squares / kCount, 1.0 / 3, 5 * std::sqrt(4.0 / 45 / kCount));
+  EXPECT_NEAR(sum / draws, 0.5, 5 * std::sqrt(1.0 / 12 / draws));
+  EXPECT_NEAR(squares / draws, 1.0 / 3, 5 * std::sqrt(4.0 / 45 / draws));
 }
 
 TEST(Random, NormalHasTheMomentsOfTheNormalDistribution) {
-  constexpr int kCount = 1000000;
+  constexpr int draws = 1000000;
   Random random(3);
   double moments[4] = {};
   double product = 0;
   double before = 0;
   int beyond_two = 0;
-  for (int n = 0; n < kCount; ++n) {
+  for (int n = 0; n < draws; ++n) {
     const double value = random.normal();
     double power = 1;
-    for (double& moment : moments) moment += (power *= value) / kCount;
-    product += before * value / kCount;
+    for (double& moment : moments) moment += (power *= value) / draws;
+    product += before * value / draws;
     before = value;
     if (std::abs(value) > 2) ++beyond_two;
   }
   // Five standard errors: variances of x, x^2, x^3, x^4 are 1, 2, 15, 96.
-  const double five = 5 / std::sqrt(1.0 * kCount);
+  const double five = 5 / std::sqrt(1.0 * draws);
   EXPECT_NEAR(moments[0], 0, five * std::sqrt(1.0));
   EXPECT_NEAR(moments[1], 1, five * std::sqrt(2.0));
   EXPECT_NEAR(moments[2], 0, five * std::sqrt(15.0));
   EXPECT_NEAR(moments[3], 3, five * std::sqrt(96.0));
   EXPECT_NEAR(product, 0, five);
   // P(|x| > 2) = erfc(sqrt 2) = 0.0455003.
-  EXPECT_NEAR(1.0 * beyond_two / kCount, 0.0455003, five * std::sqrt(0.0455 * 0.9545));
+  EXPECT_NEAR(1.0 * beyond_two / draws, 0.0455003, five * std::sqrt(0.0455 * 0.9545));
 }
 
 TEST(Random, BelowTakesEachValueEquallyOften) {
-  constexpr int kCount = 70000;
+  constexpr int draws = 70000;
   Random random(4);
   std::vector<int> counts(7);
-  for (int n = 0; n < kCount; ++n) ++counts.at(static_cast<std::size_t>(random.below(7)));
+  for (int n = 0; n < draws; ++n) ++counts.at(static_cast<std::size_t>(random.below(7)));
   // Each has probability 1/7: five standard deviations of 10000 are 5 sqrt(10000 x 6/7) = 463.
-  for (const int count : counts) EXPECT_NEAR(count, kCount / 7, 463);
+  for (const int count : counts) EXPECT_NEAR(count, draws / 7, 463);
 }
 
 TEST(Random, SameSeedGivesTheSameStreamAndAnotherSeedAnother) {

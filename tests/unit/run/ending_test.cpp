@@ -23,7 +23,7 @@ std::string end_at(double time, const std::string& limit) {
   return word(end_of_time(simulation, values));
 }
 
-TEST(Ending, KickedSpheresThatMeetNobodyAreIdleOneDay) {
+TEST(Ending, KickedSpheresThatMeetNoOtherAreIdleOneDay) {
   // 2^28 + 2 x 2^20 events, eight for each of two spheres and two kicks a time unit: 8 454 144.
   EXPECT_EQ(end_at(8.45e6, "collisions = 1"), "");
   EXPECT_EQ(end_at(8.46e6, "collisions = 1"), "idle");

@@ -49,7 +49,7 @@ TEST(Replay, AllowsWhatTheFrameOfAllRoundsInASphereThatRests) {
 }
 
 // They stick: at the time 1e30 their places are known to 1e14 only, and which image touches is not.
-TEST(Replay, SaysNothingOfAGapToAnImageThatNobodyKnows) {
+TEST(Replay, SaysNothingOfAGapToAnUnknownImage) {
   Case sticky = planar_case();
   sticky.system.restitution = 0;
   Replay<2> replay(sticky, 2);
