@@ -25,7 +25,7 @@ Objection needs(const Value& value, std::string_view what) {
 
 Objection outside(double number, const Range& range) {
   if (!std::isfinite(number)) return "(must be a finite number)";
-  if (!range.contains(number)) return fmt::format("({})", range.text());
+  if (!range.contains(number)) return fmt::format("({})", case_format::range_text(range));
   return std::nullopt;
 }
 

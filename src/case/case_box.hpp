@@ -7,10 +7,6 @@
 
 namespace zenosphere {
 
-/// Longest side of a box, and farthest place [diameters]: a coordinate at the far end is still good
-/// to a millionth of a diameter.
-inline constexpr double largest_side = 1e9;
-
 /// Sides of the box of a case, D of them [diameters]: those that it gives, or those in which the
 /// spheres fill the fraction that it gives, side x / each other side being the aspect ratio.
 ///

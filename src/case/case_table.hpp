@@ -11,22 +11,9 @@
 
 #include "case/case.hpp"
 #include "case/case_entries.hpp"
+#include "model/case_key.hpp"
 
 namespace zenosphere::case_format {
-
-/// The numbers a key may hold: from `low` to `high`, `low` itself only if `low_belongs`.
-struct Range {
-  double low;
-  double high;
-  bool low_belongs;
-  std::string_view note;  ///< what the message adds, for example `1 is elastic`
-
-  bool contains(double number) const {
-    return number <= high && (low_belongs ? number >= low : number > low);
-  }
-  /// `must be in [0, 1]; 1 is elastic`
-  std::string text() const;
-};
 
 /// The member of a Case that a key fills.
 using Slot =
@@ -40,12 +27,6 @@ using Slot =
 /// Most spheres whose positions a case file may write down: they make it 15 MB large.
 inline constexpr std::size_t most_written_spheres = 100'000;
 
-enum class Presence {
-  required,
-  optional,
-  with_table,  ///< required where the table is there, even if it is empty
-};
-
 /// A key that exists only where others have certain values.
 struct Condition {
   std::array<std::string_view, 2> depends_on;  ///< the other keys; the second may be empty
@@ -54,18 +35,19 @@ struct Condition {
 };
 
 /// One key of the case file: one row of the table that everything else is made from.
-struct Key {
+struct Key : CaseKey {
   std::string_view table;
-  std::string_view name;
-  Presence presence;
-  Slot (*slot)(Case&);
-  Range range;                 ///< of every number; words and booleans ignore it
-  const Condition* condition;  ///< null: the key always exists
-  std::string_view meaning;    ///< with the unit in brackets; a comment in resolved files
+  std::optional<Condition> condition;  ///< none: the key always exists
+  std::size_t number;                  ///< of all, from 0
 
   std::string path() const { return std::string(table) + '.' + std::string(name); }
   bool exists_in(const Case& values) const { return !condition || condition->holds(values); }
+  /// The member that it fills.
+  Slot slot(Case& values) const;
 };
+
+/// `must be in [0, 1]; 1 is elastic`
+std::string range_text(const Range& range);
 
 /// All keys, in the order of the reference page.
 std::span<const Key> keys();

@@ -123,7 +123,7 @@ Objection store_in(std::string& slot, const Value& value, const Range&) {
 /// Why one number, alone or in an array, is wrong.
 Objection wrong_number(double number, const Range& range) {
   if (!std::isfinite(number)) return "must be a finite number";
-  if (!range.contains(number)) return range.text();
+  if (!range.contains(number)) return range_text(range);
   return std::nullopt;
 }
 
@@ -222,13 +222,13 @@ requires(std::is_integral_v<Integer> && !std::is_same_v<Integer, bool>) Objectio
   } else if (const auto* real = std::get_if<double>(&value)) {
     if (!std::isfinite(*real)) return "(must be a finite number)";
     if (*real != std::trunc(*real)) return "(found a number with a fraction, needs an integer)";
-    if (!range.contains(*real)) return fmt::format("({})", range.text());
+    if (!range.contains(*real)) return fmt::format("({})", range_text(range));
     if (std::abs(*real) >= 0x1p63) return "(must fit in 64 bits: at most 9223372036854775807)";
     number = static_cast<std::int64_t>(*real);
   } else {
     return wrong_kind(value, "an integer");
   }
-  if (!range.contains(static_cast<double>(number))) return fmt::format("({})", range.text());
+  if (!range.contains(static_cast<double>(number))) return fmt::format("({})", range_text(range));
   slot = static_cast<Integer>(number);
   return std::nullopt;
 }

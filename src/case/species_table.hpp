@@ -9,11 +9,18 @@ namespace zenosphere::case_format {
 
 /// One key of the tables [[species]] or [[contact]].
 template <class Item>
-struct ItemKey {
-  std::string_view name;
-  Range range;
-  Slot (*slot)(Item&);
-  std::string_view meaning;  ///< with the unit in brackets; a comment in resolved files
+struct ItemKey : CaseKey {
+  std::size_t number;  ///< of them, from 0
+
+  /// The member that it fills.
+  Slot slot(Item& item) const {
+    std::size_t passed = 0;
+    Slot slot;
+    item.keys([&](const CaseKey&, auto& member) {
+      if (passed++ == number) slot = &member;
+    });
+    return slot;
+  }
 };
 
 /// The keys of [[species]] beside its name, and of [[contact]] beside `between`, in the order of

@@ -2,6 +2,8 @@
 
 #include <cassert>
 #include <cmath>
+#include <type_traits>
+#include <variant>
 
 #include "model/friction.hpp"
 #include "model/instantiate.hpp"
@@ -126,10 +128,14 @@ Real ContactLaw<Dim, Real>::restitution(const Collision<Dim, Real>& collision,
   const auto& models = rules_.models;
   if (collision.made_elastic) return 1;
   if (constants.is_own) return constants.restitution;
-  if (models.fixed_loss) return (*models.fixed_loss)(speed, pair_of(collision, grains));
-  if (models.two_valued) return (*models.two_valued)(speed);
-  if (models.viscoelastic) return (*models.viscoelastic)(speed, pair_of(collision, grains));
-  return constants.restitution;
+  if (!models.law) return constants.restitution;
+  const auto restitution = [&](const auto& law) -> Real {
+    constexpr bool knows_pair =
+        std::is_invocable_v<decltype(law), const Real&, const CollidingPair<Real>&>;
+    if constexpr (knows_pair) return law(speed, pair_of(collision, grains));
+    if constexpr (!knows_pair) return law(speed);
+  };
+  return std::visit(restitution, *models.law);
 }
 
 /// Adds what friction does to a collision whose normal impulse is known.

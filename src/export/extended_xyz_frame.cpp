@@ -1,9 +1,8 @@
-#include "export/extended_xyz_frame.hpp"
-
 #include <fmt/format.h>
 
 #include <string>
 
+#include "export/formats.hpp"
 #include "export/sphere_lines.hpp"
 
 namespace zenosphere {
@@ -35,8 +34,13 @@ std::string comment(const Frame& frame) {
       frame.snapshot.step, frame.number, kinds(frame));
 }
 
-}  // namespace
-
+/// Appends a frame of extended XYZ, which OVITO and ASE read and a case can start from.
+///
+/// Columns: species X, id (the sphere, from 0), pos (in the upright box), velo, momenta, radius
+/// and, where known, collisions. OVITO takes the velocities from velo, ASE's get_velocities() from
+/// momenta, which are the same numbers since the mass is 1. Lattice holds the rows of the cell and
+/// Origin, which only OVITO reads, its corner. Numbers have the digits that give the same bits when
+/// they are read. Source: https://github.com/libAtoms/extxyz
 void append_extended_xyz(NewFile& file, const Frame& frame) {
   file.write(fmt::format("{}\n", frame.spheres()));
   file.write(comment(frame));
@@ -53,6 +57,12 @@ void append_extended_xyz(NewFile& file, const Frame& frame) {
     const auto [wx, wy, wz] = frame.spin(i);
     fmt::format_to(line, FMT_COMPILE(" {} {} {}"), wx, wy, wz);
   });
+}
+
+}  // namespace
+
+ExportFormat extended_xyz() {
+  return {"extxyz", "OVITO, ASE", Exports::frames, true, append_extended_xyz};
 }
 
 }  // namespace zenosphere

@@ -1,5 +1,3 @@
-#include "export/lammps_dump.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "export/formats.hpp"
 #include "export/sphere_lines.hpp"
 
 namespace zenosphere {
@@ -27,8 +26,14 @@ std::string header(const Frame& frame) {
       frame.collisions.empty() ? "" : " c_collisions");
 }
 
-}  // namespace
-
+/// Appends a frame of a LAMMPS text dump, which OVITO, VMD, MDAnalysis and ASE read.
+///
+/// The sheared cell is a triclinic box with |tilt| <= half a side, as LAMMPS demands, and positions
+/// are the images in that box: x differs from that in the output file by a multiple of the side.
+/// Columns: id (the number of the sphere plus 1: LAMMPS counts from 1), type 1, x y z, vx vy vz,
+/// radius and, where known, c_collisions. The time step is the number of collisions; the format has
+/// no place for the time that every reader knows. Source: https://docs.lammps.org/dump.html,
+/// https://docs.lammps.org/Howto_triclinic.html
 void append_lammps_dump(NewFile& file, const Frame& frame) {
   file.write(header(frame));
   write_sphere_lines(file, frame, [&](fmt::appender line, std::int64_t i) {
@@ -48,6 +53,12 @@ void append_lammps_dump(NewFile& file, const Frame& frame) {
     const auto [wx, wy, wz] = frame.spin(i);
     fmt::format_to(line, FMT_COMPILE(" {} {} {}"), wx, wy, wz);
   });
+}
+
+}  // namespace
+
+ExportFormat lammps_dump() {
+  return {"lammps", "OVITO, VMD, MDAnalysis, ASE", Exports::frames, true, append_lammps_dump};
 }
 
 }  // namespace zenosphere

@@ -23,16 +23,12 @@ template <int Dim, class Real>
 Samples<Dim, Real>::Samples(const Simulation<Dim, Real>& simulation, const SampleTimes& times)
     : system_(SampledSystem<Dim>::of(simulation)),
       when_(times),
-      pairs_(system_),
-      velocities_(system_),
-      layers_(system_),
-      waves_(system_),
+      moments_(system_),
       displacements_(system_),
       collisions_(system_, simulation),
       columns_{{"samples"}, {"span"}},
       last_(times.from_time) {
-  for (auto&& columns : {pairs_.columns(), velocities_.columns(), layers_.columns(),
-                         waves_.columns(), displacements_.columns()}) {
+  for (auto&& columns : {moments_.columns(), displacements_.columns()}) {
     columns_.insert(columns_.end(), columns.begin(), columns.end());
   }
   first_of_collisions_ = total(columns_);
@@ -67,11 +63,9 @@ void Samples<Dim, Real>::take(const Simulation<Dim, Real>& simulation) {
   current_[samples_in_row] += 1;
   current_[span_of_row] += now - std::exchange(last_, now);
   SumsOfColumns sums(current_.data() + own_columns);
-  pairs_.add(moment, sums);
-  velocities_.add(moment, sums);
-  layers_.add(moment, sums);
-  waves_.add(moment, sums);
-  displacements_.add(moment, velocities_.peculiar(moment), multiple_, when_.interval, sums);
+  moments_.add(moment, sums);
+  displacements_.add(moment, moments_.template of<VelocitySums>().peculiar(moment), multiple_,
+                     when_.interval, sums);
   schedule_next(simulation);
   if (current_[samples_in_row] < static_cast<double>(in_a_row_)) return;
   sums_.insert(sums_.end(), current_.begin(), current_.end());
@@ -108,8 +102,8 @@ void Samples<Dim, Real>::put_together() {
 template <int Dim, class Real>
 std::vector<SampledEdges> Samples<Dim, Real>::edges() const {
   std::vector<SampledEdges> edges;
-  for (auto&& of_part : {pairs_.edges(), velocities_.edges(), layers_.edges(), waves_.edges(),
-                         displacements_.edges(when_.interval), collisions_.edges()}) {
+  for (auto&& of_part :
+       {moments_.edges(), displacements_.edges(when_.interval), collisions_.edges()}) {
     edges.insert(edges.end(), of_part.begin(), of_part.end());
   }
   return edges;

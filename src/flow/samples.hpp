@@ -8,6 +8,7 @@
 #include "flow/collision_sums.hpp"
 #include "flow/displacement_sums.hpp"
 #include "flow/layer_sums.hpp"
+#include "flow/moment_sums.hpp"
 #include "flow/pair_sums.hpp"
 #include "flow/velocity_sums.hpp"
 #include "flow/wave_sums.hpp"
@@ -72,12 +73,12 @@ class Samples {
   void put_together();
   void schedule_next(const Simulation<Dim, Real>& simulation);
 
+  /// What is summed up of the moment of a sample alone; a new observable is a name in this list.
+  using Moments = MomentSums<Dim, PairSums, VelocitySums, LayerSums, WaveSums>;
+
   SampledSystem<Dim> system_;
   SampleTimes when_;
-  PairSums<Dim> pairs_;
-  VelocitySums<Dim> velocities_;
-  LayerSums<Dim> layers_;
-  WaveSums<Dim> waves_;
+  Moments moments_;
   DisplacementSums<Dim> displacements_;
   CollisionSums<Dim, Real> collisions_;
   std::vector<SampledColumn> columns_;

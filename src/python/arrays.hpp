@@ -12,14 +12,16 @@ namespace zenosphere {
 /// An array that takes over a vector, without copying it.
 ///
 /// \param shape  its product is the size of the vector
+/// \param type   of an item, as numpy has it
 template <class T>
-pybind11::array owning_array(std::vector<T> values, std::vector<pybind11::ssize_t> shape) {
+pybind11::array owning_array(std::vector<T> values, std::vector<pybind11::ssize_t> shape,
+                             const pybind11::dtype& type = pybind11::dtype::of<T>()) {
   auto kept = std::make_unique<std::vector<T>>(std::move(values));
   const T* data = kept->data();
   const pybind11::capsule owner(kept.get(),
                                 [](void* vector) { delete static_cast<std::vector<T>*>(vector); });
   kept.release();
-  return pybind11::array_t<T>(std::move(shape), data, owner);
+  return pybind11::array(type, std::move(shape), data, owner);
 }
 
 /// A table of so many columns.

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "python/bindings.hpp"
+#include "python/collision_rows.hpp"
 #include "python/driven_run.hpp"
-#include "storage/records.hpp"
 
 namespace zenosphere {
 
@@ -34,8 +34,7 @@ std::unique_ptr<DrivenRun> run_from(const std::string& file,
 }  // namespace
 
 void bind_run(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(CollisionRow, k, time, i, j, gap, normal_speed, flags);
-  module.attr("collision_dtype") = py::dtype::of<CollisionRow>();
+  module.attr("collision_dtype") = collision_dtype();
   py::class_<DrivenRun>(module, "Run")
       .def_static("start", &run_of, py::arg("case"), py::arg("output"))
       .def_static("start_replacing", &replacing_run_of, py::arg("case"), py::arg("output"))

@@ -9,6 +9,7 @@
 
 #include "model/errors.hpp"
 #include "python/arrays.hpp"
+#include "python/collision_rows.hpp"
 #include "python/files.hpp"
 #include "result/summary.hpp"
 #include "run/resume.hpp"
@@ -126,8 +127,7 @@ py::array DrivenRun::advance(std::optional<std::int64_t> collisions, std::option
                   static_cast<std::size_t>(std::clamp<std::int64_t>(*collisions, 0, most)));
   }
   go_on(collisions, until, &rows_);
-  const auto count = static_cast<py::ssize_t>(rows_.size());
-  return owning_array(std::exchange(rows_, {}), {count});
+  return owning_rows(std::exchange(rows_, {}));
 }
 
 void DrivenRun::skip(std::optional<std::int64_t> collisions, std::optional<double> until) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "python/arrays.hpp"
+#include "python/collision_rows.hpp"
 #include "python/files.hpp"
 #include "storage/info.hpp"
 #include "storage/output_info.hpp"
@@ -62,11 +63,7 @@ ReadOutput::ReadOutput(std::string file) : file_(std::move(file)) {
   });
 }
 
-py::array ReadOutput::collisions() const {
-  std::vector<CollisionRow> rows = read_safely(file_, rows_of);
-  const auto count = static_cast<py::ssize_t>(rows.size());
-  return owning_array(std::move(rows), {count});
-}
+py::array ReadOutput::collisions() const { return owning_rows(read_safely(file_, rows_of)); }
 
 py::dict ReadOutput::series() const {
   return arrays_of(read_safely(file_, [](const RunReader& run) { return run.series(); }));

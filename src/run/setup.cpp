@@ -127,17 +127,7 @@ ContactRules<Real> contact_rules_of(const Case& values) {
   const auto& collision = values.collision;
   ContactRules<Real> rules{from_decimal<Real>(values.system.restitution), collision.overlap,
                            from_decimal<Real>(collision.guard)};
-  if (collision.restitution_law == RestitutionLaw::viscoelastic) {
-    rules.models.viscoelastic.emplace(from_decimal<Real>(collision.viscoelastic_constant));
-  }
-  if (collision.restitution_law == RestitutionLaw::fixed_loss) {
-    rules.models.fixed_loss.emplace(from_decimal<Real>(collision.energy_loss));
-  }
-  if (collision.restitution_law == RestitutionLaw::two_valued) {
-    rules.models.two_valued = {from_decimal<Real>(collision.slow_restitution),
-                               from_decimal<Real>(collision.fast_restitution),
-                               from_decimal<Real>(collision.threshold_speed)};
-  }
+  rules.models.law = RestitutionLaws::chosen<Real>(collision.restitution_law, collision);
   rules.models.contact_duration = from_decimal<Real>(collision.contact_duration);
   rules.models.rotation_angle = from_decimal<Real>(collision.rotation_angle);
   rules.models.seed = values.start.seed;

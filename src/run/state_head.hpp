@@ -8,12 +8,13 @@
 #include "case/case.hpp"
 #include "model/archive.hpp"
 #include "model/errors.hpp"
+#include "storage/records.hpp"
 #include "storage/recovery.hpp"
 
 namespace zenosphere {
 
 /// What the state of a checkpoint holds; to be raised whenever that changes.
-inline constexpr std::uint32_t checkpoint_version = 15;
+inline constexpr std::uint32_t checkpoint_version = 14 + log_version;
 
 /// Begins the state of a checkpoint.
 template <int Dim, class Real>

@@ -12,7 +12,7 @@
 #include "case/case_box.hpp"
 #include "case/case_cells.hpp"
 #include "case/case_grains.hpp"
-#include "model/contact_models.hpp"
+#include "model/restitution/laws.hpp"
 #include "start/start_file.hpp"
 
 namespace zenosphere {
@@ -111,24 +111,21 @@ void add_plate(const Case& values, AlignedLines& lines) {
   if (gravity > 0) lines.add("the same over gravity", plate.peak_acceleration() / gravity);
 }
 
-template <class Restitution>
-void add_restitution(const Restitution& restitution, std::string_view whose, AlignedLines& lines) {
-  for (const double speed : {1.0, 0.01}) {
-    lines.add(fmt::format("restitution at the speed {:g}", speed), restitution(speed), whose);
-  }
-}
-
 void add_contact(const Case& values, AlignedLines& lines) {
   const auto& collision = values.collision;
+  const auto law = RestitutionLaws::chosen<double>(collision.restitution_law, collision);
+  if (!law) return;
   const std::string whose = grains_of(values).are_alike() ? "" : "of two unit spheres";
-  if (collision.restitution_law == RestitutionLaw::fixed_loss) {
-    const FixedLossRestitution<double> restitution(collision.energy_loss);
-    lines.add("energy lost above the speed", restitution.threshold(),
-              "diameters/time" + (whose.empty() ? "" : ", " + whose));
-    add_restitution(restitution, whose, lines);
-  } else if (collision.restitution_law == RestitutionLaw::viscoelastic) {
-    add_restitution(ViscoelasticRestitution<double>(collision.viscoelastic_constant), whose, lines);
-  }
+  const auto add = [&]<class Restitution>(const Restitution& restitution) {
+    if constexpr (std::is_same_v<Restitution, FixedLossRestitution<double>>) {
+      lines.add("energy lost above the speed", restitution.threshold(),
+                "diameters/time" + (whose.empty() ? "" : ", " + whose));
+    }
+    for (const double speed : Restitution::shown_speeds) {
+      lines.add(fmt::format("restitution at the speed {:g}", speed), restitution(speed), whose);
+    }
+  };
+  std::visit(add, *law);
 }
 
 /// `400 spheres of diameter 1.4, mass 2.744`

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t magic = 0x4c4e524a4f4e455a;  // "ZENOJRNL"
-constexpr std::uint32_t version = 4;
+constexpr std::uint32_t version = 3 + log_version;
 constexpr std::size_t header_size = 8 + 4 + (4 * 8 + 4) + 4;
 constexpr std::size_t record_header_size = 4 + 4 + 8;
 

@@ -39,9 +39,7 @@ struct CollisionRow {
   std::uint8_t flags = 0;     ///< sum of collision_flag values
 
   template <class Self, class Archive>
-  static void archive_state(Self& self, Archive& archive) {
-    archive(self.k, self.time, self.i, self.j, self.gap, self.normal_speed, self.flags);
-  }
+  static void archive_state(Self& self, Archive& archive);
 };
 
 namespace collision_flag {
@@ -55,6 +53,10 @@ inline constexpr std::uint8_t sliding = 64;       ///< of rough surfaces: fricti
 inline constexpr std::uint8_t resting = 128;      ///< of a sphere that rests on an oscillating wall
 }  // namespace collision_flag
 
+/// Of the columns of the log: to be raised whenever they change. The versions of the journal, which
+/// holds rows, and of a checkpoint, in which an unfinished row waits, rise with it.
+inline constexpr std::uint32_t log_version = 1;
+
 /// Rows of the collision log, column by column as they are stored.
 struct CollisionRows {
   std::vector<std::int64_t> k{};
@@ -64,8 +66,8 @@ struct CollisionRows {
   std::vector<std::uint8_t> flags{};
 
   /// Calls `visit(name, column, part)` for each column, `part` being the member of CollisionRow
-  /// that it holds: the one list from which the journal, the datasets, their readers and tables
-  /// come.
+  /// that it holds: the one list from which the journal, checkpoints, the datasets, their readers,
+  /// tables and the arrays of the Python module come.
   template <class Self, class Visitor>
   static void fields(Self&& self, Visitor&& visit) {
     visit("k", self.k, &CollisionRow::k);
@@ -98,6 +100,12 @@ struct CollisionRows {
     });
   }
 };
+
+template <class Self, class Archive>
+void CollisionRow::archive_state(Self& self, Archive& archive) {
+  CollisionRows::fields(CollisionRows(),
+                        [&](const char*, const auto&, auto part) { archive(self.*part); });
+}
 
 /// The time series of a run: averages over successive intervals of equal length, from time 0 on.
 struct RecordedSeries {

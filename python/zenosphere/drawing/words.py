@@ -46,6 +46,8 @@ def restitutions(run):
         parts.append(f"$e = {slow}$ below the speed {speed}, else {fast}")
     elif law == "viscoelastic":
         parts.append(f"$e(v)$, $A = {short(run.setting('collision', 'viscoelastic_constant'))}$")
+    elif law not in (None, "constant"):
+        parts.append(f"$e(v)$, {law}")
     elif run.setting("system", "restitution") is not None and run.spheres > 1:
         parts.append(f"$e = {short(run.setting('system', 'restitution'))}$")
     if walls is not None:

@@ -97,7 +97,7 @@ TEST(ContactLaw, LeavesAPairThatRecedesByRoundingAlone) {
 
 TEST(ContactLaw, CountsTheRestitutionThatWasUsed) {
   const ViscoelasticRestitution<double> restitution(0.3);
-  ContactLaw<1, double> law({.restitution = 0, .models = {.viscoelastic = restitution}}, 2, 1.0);
+  ContactLaw<1, double> law({.restitution = 0, .models = {.law = restitution}}, 2, 1.0);
   auto collision = contact_of<1>(0, 1);
   law.collide(collision, motion_of<1>({{-0.5}}), {alike});
   EXPECT_DOUBLE_EQ(restitution_of(collision), restitution(0.5));
@@ -109,7 +109,7 @@ double energy(const Vec<3, double>& dv) { return dot(dv, dv) / 4; }
 
 TEST(FixedLoss, IsTakenFromTheNormalMotionAlone) {
   const FixedLossRestitution<double> restitution(0.25);
-  ContactLaw<3, double> law({.restitution = 0, .models = {.fixed_loss = restitution}}, 2, 1.0);
+  ContactLaw<3, double> law({.restitution = 0, .models = {.law = restitution}}, 2, 1.0);
   Dice dice(5);
   int energetic = 0;
   for (int n = 0; n < 2000; ++n) {
@@ -131,7 +131,7 @@ TEST(FixedLoss, IsTakenFromTheNormalMotionAlone) {
 TEST(FixedLoss, IsNotTakenFromAContactThatLasts) {
   const FixedLossRestitution<double> restitution(0.0625);
   ContactLaw<1, double> law(
-      {.restitution = 0, .models = {.fixed_loss = restitution, .contact_duration = 1}}, 3, 1.0);
+      {.restitution = 0, .models = {.law = restitution, .contact_duration = 1}}, 3, 1.0);
   auto first = contact_of<1>(0, 1, 5);
   law.collide(first, motion_of<1>({{-1.0}}), {alike});
   EXPECT_DOUBLE_EQ(restitution_of(first), std::sqrt(0.75));
@@ -143,7 +143,7 @@ TEST(FixedLoss, IsNotTakenFromAContactThatLasts) {
 
 TEST(TwoValues, ApplyToTheNormalSpeedAlone) {
   const TwoValuedRestitution<double> restitution{0.25, 0.75, 1};
-  ContactLaw<3, double> law({.restitution = 0, .models = {.two_valued = restitution}}, 2, 1.0);
+  ContactLaw<3, double> law({.restitution = 0, .models = {.law = restitution}}, 2, 1.0);
   for (const double speed : {0.5, 0.999, 1.0, 4.0}) {
     auto collision = contact_of<3>(0, 1);
     law.collide(collision, motion_of<3>({{-speed, 10, -10}}), {alike});

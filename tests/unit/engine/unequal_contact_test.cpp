@@ -94,7 +94,7 @@ TYPED_TEST(UnequalContact, LosesTheFixedEnergyWhereItHasMoreAndNothingElsewhere)
   using std::abs;
   const WorkingPrecision digits(200);
   ContactModels<Real> models;
-  models.fixed_loss.emplace(Real(energy_lost));
+  models.law = FixedLossRestitution<Real>(Real(energy_lost));
   Dice dice(11);
   int energetic = 0;
   for (int n = 0; n < random_pairs; ++n) {
@@ -117,7 +117,7 @@ TYPED_TEST(UnequalContact, IsViscoelasticByItsReducedRadiusAndMass) {
   using std::abs;
   const WorkingPrecision digits(200);
   ContactModels<Real> models;
-  models.viscoelastic.emplace(Real(constant));
+  models.law = ViscoelasticRestitution<Real>(Real(constant));
   Dice dice(12);
   for (int n = 0; n < random_pairs; ++n) {
     const auto pair = unequal_pair<Real>(dice);
@@ -143,7 +143,7 @@ TYPED_TEST(UnequalContact, HasTwoValuesByItsNormalSpeedWhateverTheMasses) {
   using std::abs;
   const WorkingPrecision digits(200);
   ContactModels<Real> models;
-  models.two_valued = {Real(slow), Real(fast), Real(border)};
+  models.law = TwoValuedRestitution<Real>{Real(slow), Real(fast), Real(border)};
   Dice dice(13);
   int fast_ones = 0;
   for (int n = 0; n < random_pairs; ++n) {
@@ -161,8 +161,8 @@ TYPED_TEST(UnequalContact, OfEqualSpheresHasEveryBitOfUnitSpheres) {
   using Real = TypeParam;
   const WorkingPrecision digits(200);
   ContactModels<Real> viscoelastic, fixed_loss;
-  viscoelastic.viscoelastic.emplace(Real(constant));
-  fixed_loss.fixed_loss.emplace(Real(energy_lost));
+  viscoelastic.law = ViscoelasticRestitution<Real>(Real(constant));
+  fixed_loss.law = FixedLossRestitution<Real>(Real(energy_lost));
   Dice dice(14);
   for (int n = 0; n < random_pairs; ++n) {
     auto pair = unequal_pair<Real>(dice);
@@ -175,8 +175,9 @@ TYPED_TEST(UnequalContact, OfEqualSpheresHasEveryBitOfUnitSpheres) {
       EXPECT_EQ(change, after_law(models, unit).change);
       // And those of the restitution that unit spheres have had before there were others.
       const Real speed = -dot(touch(pair.motion).normal, pair.motion.dv);
+      const auto* soft = std::get_if<ViscoelasticRestitution<Real>>(&*models.law);
       const Real e =
-          models.viscoelastic ? (*models.viscoelastic)(speed) : (*models.fixed_loss)(speed);
+          soft ? (*soft)(speed) : std::get<FixedLossRestitution<Real>>(*models.law)(speed);
       EXPECT_EQ(change, impact(pair.motion, e).normal * Real(-impact(pair.motion, e).impulse));
     }
   }
@@ -184,7 +185,7 @@ TYPED_TEST(UnequalContact, OfEqualSpheresHasEveryBitOfUnitSpheres) {
 
 TEST(ContactLaw, KindsWithARestitutionOfTheirOwnDoNotFollowTheLaw) {
   ContactRules<double> rules;
-  rules.models.two_valued = {slow, fast, border};
+  rules.models.law = TwoValuedRestitution<double>{slow, fast, border};
   rules.table.emplace(2, ContactConstants<double>{});
   ContactConstants<double> own{.restitution = 0.5};
   own.is_own = true;

@@ -63,6 +63,15 @@ class JournalTest : public ::testing::Test {
   std::uint64_t second_end = 0;
 };
 
+TEST(CollisionLog, HasTheColumnsOfItsVersion) {
+  std::string names;
+  CollisionRows::fields(CollisionRows(), [&](const char* name, const auto&, auto) {
+    names += (names.empty() ? "" : " ") + std::string(name);
+  });
+  EXPECT_EQ(log_version, 1u);  // where columns have changed, raise it and write them down here
+  EXPECT_EQ(names, "k time i j gap normal_speed flags");
+}
+
 TEST(Checksum, IsTheCastagnoliPolynomial) {
   const Bytes digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
   EXPECT_EQ(checksum(digits), 0xe3069283u);        // the check value of CRC-32C
