@@ -1,6 +1,7 @@
 #include "engine/loose_packing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -38,11 +39,7 @@ class Pushing {
   bool sweep(double distance) {
     bool overlap = false;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(positions_.size()); ++i) {
-      for (int y = -1; y <= 1; ++y) {
-        for (int z = Dim > 2 ? -1 : 0; z <= (Dim > 2 ? 1 : 0); ++z) {
-          overlap |= push_from_row(i, y, z, distance);
-        }
-      }
+      overlap |= push_from_surroundings(i, distance);
     }
     return overlap;
   }
@@ -50,24 +47,47 @@ class Pushing {
   const std::vector<Vec<Dim, double>>& positions() const { return positions_; }
 
  private:
-  /// Pushes sphere i and those in three cells of a row beside its own; it may have been pushed on
-  /// since the row before.
-  bool push_from_row(std::int32_t i, int y, int z, double distance) {
-    const Steps<Dim> home = cells_.coordinates(home_[static_cast<std::size_t>(i)]);
-    Steps<Dim> cell = home;
-    if constexpr (Dim > 1) cell[1] = wrapped(home[1] + y, 1);
-    if constexpr (Dim > 2) cell[2] = wrapped(home[2] + z, 2);
-    bool overlap = false;
-    for (int x = -1; x <= 1; ++x) {
-      cell[0] = wrapped(home[0] + x, 0);
-      overlap |= push_from(i, cells_.index(cell), distance);
+  static constexpr std::size_t y_axis = Dim > 1 ? 1 : 0, z_axis = Dim > 2 ? 2 : 0;
+  static constexpr std::size_t rows_y = Dim > 1 ? 3 : 1, rows_z = Dim > 2 ? 3 : 1;
+
+  /// The cells beside one: what each step of -1, 0, 1 along each axis adds to their number.
+  struct Surroundings {
+    std::int32_t home = -1;
+    std::array<std::array<std::int32_t, 3>, Dim> parts{};
+  };
+
+  Surroundings surroundings(std::int32_t home) const {
+    Surroundings around{home};
+    const Steps<Dim> coordinates = cells_.coordinates(home);
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      const int side = box_.cells()[axis];
+      for (int step = -1; step <= 1; ++step) {
+        Steps<Dim> there{};
+        there[axis] = (coordinates[axis] + step + side) % side;
+        around.parts[axis][static_cast<std::size_t>(step + 1)] = cells_.index(there);
+      }
     }
-    return overlap;
+    return around;
   }
 
-  int wrapped(int coordinate, std::size_t axis) const {
-    const int side = box_.cells()[axis];
-    return (coordinate + side) % side;
+  /// Pushes sphere i and those in the cells beside its own, row after row; it may have been pushed
+  /// into another cell since the row before.
+  bool push_from_surroundings(std::int32_t i, double distance) {
+    bool overlap = false;
+    Surroundings around;
+    for (std::size_t y = 0; y < rows_y; ++y) {
+      for (std::size_t z = 0; z < rows_z; ++z) {
+        const std::int32_t home = home_[static_cast<std::size_t>(i)];
+        if (around.home != home) around = surroundings(home);
+        std::int32_t row = 0;
+        if constexpr (Dim > 1) row += around.parts[y_axis][y];
+        if constexpr (Dim > 2) row += around.parts[z_axis][z];
+        for (const std::int32_t column : around.parts[0]) {
+          overlap |= push_from(i, row + column, distance);
+        }
+      }
+    }
+    return overlap;
   }
 
   /// Pushes sphere i and those of a cell that come after it apart.
@@ -104,8 +124,9 @@ class Pushing {
   bool push(std::int32_t i, std::int32_t j, double distance) {
     Vec<Dim, double> dr = position(j) - position(i);
     for (int axis = 0; axis < Dim; ++axis) {
-      if (!box_.is_closed(axis))
-        dr[axis] -= box_.sides()[axis] * std::round(dr[axis] / box_.sides()[axis]);
+      const double side = box_.sides()[axis];
+      if (std::abs(dr[axis]) < side / 2 || box_.is_closed(axis)) continue;
+      dr[axis] -= std::copysign(side, dr[axis]);  // both are in the box
     }
     const double r2 = dot(dr, dr);
     if (r2 >= distance * distance) return false;

@@ -44,15 +44,29 @@ template <int Dim, class Real>
 void Measurements<Dim, Real>::observe(const Collision<Dim, Real>& collision,
                                       const Simulation<Dim, Real>& simulation) {
   if (elapsed(next_look_, simulation.now(), clock_unit_) >= 0) look(simulation, &collision);
+  const auto wall = simulation.wall(collision.j);
+  if (!are_unlike_ && !wall) return observe_pair(collision, simulation);
   end_flight(collision.i, collision, simulation);
-  if (const auto wall = simulation.wall(collision.j)) {
-    add_wall_contact(collision, *wall, simulation);
-  } else {
-    end_flight(collision.j, collision, simulation);
-    if (!are_unlike_) return add_contact(collision);
-    add_transfer(collision.impact, collision.change * Real(-1));
-    add_unlike_loss(collision, simulation);
-  }
+  if (wall) return add_wall_contact(collision, *wall, simulation);
+  end_flight(collision.j, collision, simulation);
+  add_transfer(collision.impact, collision.change * Real(-1));
+  add_unlike_loss(collision, simulation);
+}
+
+/// The same of two unit spheres, all at once: nearly every collision is one of them.
+template <int Dim, class Real>
+[[gnu::flatten]] void Measurements<Dim, Real>::observe_pair(
+    const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation) {
+  auto& start_i = flight_start_[static_cast<std::size_t>(collision.i)];
+  auto& start_j = flight_start_[static_cast<std::size_t>(collision.j)];
+  const Real duration_i = elapsed(start_i, collision.time, clock_unit_);
+  const Real duration_j = elapsed(start_j, collision.time, clock_unit_);
+  start_i = start_j = collision.time;
+  const Vector velocity_i = simulation.peculiar_velocity(collision.i) - collision.change;
+  const Vector velocity_j = simulation.peculiar_velocity(collision.j) + collision.change;
+  add(sums_, std::array{flight(velocity_i, duration_i, duration_i),
+                        flight(velocity_j, duration_j, duration_j)});
+  add_contact(collision);
 }
 
 /// Ends the flight of a sphere in a collision; its next one begins.
@@ -63,7 +77,7 @@ void Measurements<Dim, Real>::end_flight(std::int32_t sphere, const Collision<Di
   const Real duration = elapsed(start, collision.time, clock_unit_);
   start = collision.time;
   const Vector velocity = velocity_before(sphere, collision, simulation);
-  if (!are_unlike_) return add_flight(sums_, velocity, duration, duration);
+  if (!are_unlike_) return add(sums_, std::array{flight(velocity, duration, duration)});
   add_unlike_flight(sums_, sphere, velocity, spin_before(sphere, &collision, simulation), duration,
                     simulation);
 }
@@ -80,18 +94,6 @@ void Measurements<Dim, Real>::look(const Simulation<Dim, Real>& simulation,
   end_intervals(series_, sums_at_end_, simulation, collision);
   const double next = sums_before_ ? series_.next_end() : std::min(series_.next_end(), after_time_);
   next_look_ = instant_at(next, clock_unit_, simulation.stride());
-}
-
-/// Sets the interval of the series, where it is known how often the spheres collide: so that it is
-/// some collisions of each, and its ends are exact numbers.
-template <int Dim, class Real>
-void Measurements<Dim, Real>::choose_interval(const Simulation<Dim, Real>& simulation) {
-  constexpr std::int64_t fewest = 256;
-  const std::int64_t collisions = std::max(4 * std::int64_t{simulation.spheres()}, fewest);
-  const double time = simulation.time();
-  constexpr double most = 0x1p1000;  // twice as often as there can be intervals it has to fit
-  if (simulation.collisions() < collisions || !(time > 0) || time > most) return;
-  series_.set_interval(std::exp2(std::ceil(std::log2(time))));
 }
 
 /// Appends the intervals that have ended by now.
@@ -174,29 +176,41 @@ void Measurements<Dim, Real>::add_transfer(const Impact<Dim, Real>& impact,
   ++sums_.collisions;
 }
 
-/// Adds the integrals over a flight that ends with the given peculiar velocity.
-///
-/// \param weight  mass x duration
+/// A flight that ends with the given peculiar velocity.
 template <int Dim, class Real>
-void Measurements<Dim, Real>::add_flight(Sums& sums, const Vector& velocity_at_end,
-                                         const Real& duration, const Real& weight) const {
-  Vector change;
-  if (falls_) change = acceleration_ * duration;
+typename Measurements<Dim, Real>::Flight Measurements<Dim, Real>::flight(
+    const Vector& velocity_at_end, const Real& duration, const Real& weight) const {
+  Flight flight;
+  if (falls_) flight.change = acceleration_ * duration;
   if constexpr (Dim > 1) {
     // v_y itself may change: over the flight its mean counts.
-    change[0] -= shear_rate_ * (velocity_at_end[1] - change[1] / 2) * duration;
+    flight.change[0] -= shear_rate_ * (velocity_at_end[1] - flight.change[1] / 2) * duration;
   }
-  const Vector mean = velocity_at_end - change * Real(0.5);
+  flight.mean = velocity_at_end - flight.change * Real(0.5);
+  flight.weight = weight;
+  return flight;
+}
+
+/// Adds the integrals over flights, in their order.
+template <int Dim, class Real>
+template <std::size_t Count>
+void Measurements<Dim, Real>::add(Sums& sums, const std::array<Flight, Count>& flights) const {
   for (int a = 0; a < Dim; ++a) {
     for (int b = a; b < Dim; ++b) {
-      Real square = mean[a] * mean[b];
-      if (falls_ || b == 0) square += change[a] * change[b] / 12;  // without gravity only along x
-      Real& sum = sums.kinetic[static_cast<std::size_t>(a * Dim + b)];
-      sum += square * weight;
+      Real sum = sums.kinetic[static_cast<std::size_t>(a * Dim + b)];
+      for (const auto& [mean, change, weight] : flights) {
+        Real square = mean[a] * mean[b];
+        if (falls_ || b == 0) square += change[a] * change[b] / 12;  // else only along x
+        sum += square * weight;
+      }
+      sums.kinetic[static_cast<std::size_t>(a * Dim + b)] = sum;
       sums.kinetic[static_cast<std::size_t>(b * Dim + a)] = sum;
     }
   }
-  if (falls_) sums.gravity_work += dot(acceleration_, mean) * weight;
+  if (!falls_) return;
+  for (const Flight& flight : flights) {
+    sums.gravity_work += dot(acceleration_, flight.mean) * flight.weight;
+  }
 }
 
 /// The same of a sphere with a mass, a kind or a spin of its own; an immobile one adds nothing.
@@ -216,7 +230,7 @@ void Measurements<Dim, Real>::add_unlike_flight(Sums& sums, std::int32_t sphere,
   };
   const auto kind = static_cast<std::size_t>(grains.kind(sphere));
   const Real before = trace();
-  add_flight(sums, velocity_at_end, duration, duration * grains.mass(sphere));
+  add(sums, std::array{flight(velocity_at_end, duration, duration * grains.mass(sphere))});
   if (!sums.kinetic_of_kind.empty()) sums.kinetic_of_kind[kind] += trace() - before;
   if (sums.turning_of_kind.empty()) return;
   sums.turning_of_kind[kind] += twice_turning_energy(sphere, spin, simulation) * duration;
@@ -234,7 +248,7 @@ void Measurements<Dim, Real>::add_flights_until(Sums& sums, const Instant<Real>&
     const Vector velocity = velocity_at(ahead, i, collision, simulation);
     const Real duration = elapsed(flight_start_[static_cast<std::size_t>(i)], end, clock_unit_);
     if (!are_unlike_) {
-      add_flight(sums, velocity, duration, duration);
+      add(sums, std::array{flight(velocity, duration, duration)});
     } else {
       const bool has_collided = collision && (i == collision->i || i == collision->j);
       add_unlike_flight(sums, i, velocity,
@@ -269,25 +283,6 @@ Vec<Dim, Real> Measurements<Dim, Real>::velocity_before(
     return sphere == collision.i ? after - change : after + change;
   }
   return sphere == collision.i ? after - collision.change : after + collision.change;
-}
-
-template <int Dim, class Real>
-void Measurements<Dim, Real>::kick(Simulation<Dim, Real>& simulation,
-                                   const std::vector<Vector>& changes) {
-  look(simulation, nullptr);
-  sums_ = sums_now(simulation);
-  std::fill(flight_start_.begin(), flight_start_.end(), simulation.now());
-  const Real energy = kinetic_energy(simulation);
-  simulation.kick(changes);
-  sums_.kick_work += kinetic_energy(simulation) - energy;
-}
-
-template <int Dim, class Real>
-typename Measurements<Dim, Real>::Sums Measurements<Dim, Real>::sums_now(
-    const Simulation<Dim, Real>& simulation) const {
-  Sums sums = sums_;
-  add_flights_until(sums, simulation.now(), simulation, nullptr);
-  return sums;
 }
 
 #define ZENOSPHERE_INSTANTIATE(Dim, Real) template class Measurements<Dim, Real>;

@@ -104,6 +104,13 @@ class Measurements {
     }
   };
 
+  /// What counts of a flight.
+  struct Flight {
+    Vector mean;    ///< of the peculiar velocity
+    Vector change;  ///< of it
+    Real weight;    ///< mass x duration
+  };
+
   // Some are inlined where GCC would call them, for each collision: to hand vectors over in memory
   // takes longer than to add them up.
   void look(const Simulation<Dim, Real>& simulation, const Collision<Dim, Real>* collision);
@@ -117,6 +124,7 @@ class Measurements {
   Inertia inertia(const Simulation<Dim, Real>& simulation) const;
   Observables observables(const Sums& before, const Sums& now, const Real& span,
                           const Simulation<Dim, Real>& simulation) const;
+  void observe_pair(const Collision<Dim, Real>& collision, const Simulation<Dim, Real>& simulation);
   [[gnu::always_inline]] inline void end_flight(std::int32_t sphere,
                                                 const Collision<Dim, Real>& collision,
                                                 const Simulation<Dim, Real>& simulation);
@@ -127,8 +135,11 @@ class Measurements {
                         const Simulation<Dim, Real>& simulation);
   [[gnu::always_inline]] inline void add_transfer(const Impact<Dim, Real>& impact,
                                                   const Vector& momentum);
-  [[gnu::always_inline]] inline void add_flight(Sums& sums, const Vector& velocity_at_end,
-                                                const Real& duration, const Real& weight) const;
+  [[gnu::always_inline]] inline Flight flight(const Vector& velocity_at_end, const Real& duration,
+                                              const Real& weight) const;
+  template <std::size_t Count>
+  [[gnu::always_inline]] inline void add(Sums& sums,
+                                         const std::array<Flight, Count>& flights) const;
   void add_unlike_flight(Sums& sums, std::int32_t sphere, const Vector& velocity_at_end,
                          const Spin<Dim, Real>& spin, const Real& duration,
                          const Simulation<Dim, Real>& simulation) const;

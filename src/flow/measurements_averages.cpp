@@ -206,11 +206,46 @@ Observables Measurements<Dim, Real>::observables(const Sums& before, const Sums&
   return averages;
 }
 
+/// Sets the interval of the series, where it is known how often the spheres collide: so that it is
+/// some collisions of each, and its ends are exact numbers.
+template <int Dim, class Real>
+void Measurements<Dim, Real>::choose_interval(const Simulation<Dim, Real>& simulation) {
+  constexpr std::int64_t fewest = 256;
+  const std::int64_t collisions = std::max(4 * std::int64_t{simulation.spheres()}, fewest);
+  const double time = simulation.time();
+  constexpr double most = 0x1p1000;  // twice as often as there can be intervals it has to fit
+  if (simulation.collisions() < collisions || !(time > 0) || time > most) return;
+  series_.set_interval(std::exp2(std::ceil(std::log2(time))));
+}
+
+template <int Dim, class Real>
+void Measurements<Dim, Real>::kick(Simulation<Dim, Real>& simulation,
+                                   const std::vector<Vector>& changes) {
+  look(simulation, nullptr);
+  sums_ = sums_now(simulation);
+  std::fill(flight_start_.begin(), flight_start_.end(), simulation.now());
+  const Real energy = kinetic_energy(simulation);
+  simulation.kick(changes);
+  sums_.kick_work += kinetic_energy(simulation) - energy;
+}
+
+template <int Dim, class Real>
+typename Measurements<Dim, Real>::Sums Measurements<Dim, Real>::sums_now(
+    const Simulation<Dim, Real>& simulation) const {
+  Sums sums = sums_;
+  add_flights_until(sums, simulation.now(), simulation, nullptr);
+  return sums;
+}
+
 #define ZENOSPHERE_INSTANTIATE(Dim, Real)                                                          \
   template double Measurements<Dim, Real>::ledger_error(const Simulation<Dim, Real>&) const;       \
   template std::optional<Averages> Measurements<Dim, Real>::averages(const Simulation<Dim, Real>&) \
       const;                                                                                       \
   template ObservableSeries Measurements<Dim, Real>::series(const Simulation<Dim, Real>&) const;   \
+  template void Measurements<Dim, Real>::choose_interval(const Simulation<Dim, Real>&);            \
+  template void Measurements<Dim, Real>::kick(Simulation<Dim, Real>&, const std::vector<Vector>&); \
+  template typename Measurements<Dim, Real>::Sums Measurements<Dim, Real>::sums_now(               \
+      const Simulation<Dim, Real>&) const;                                                         \
   template Real Measurements<Dim, Real>::kinetic_energy(const Simulation<Dim, Real>&) const;       \
   template double Measurements<Dim, Real>::sonine_a2_at(                                           \
       const Instant<Real>&, const Simulation<Dim, Real>&, const Collision<Dim, Real>*) const;      \

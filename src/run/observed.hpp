@@ -136,6 +136,19 @@ class Observed final : public ObservedSimulation {
   }
 
  private:
+  /// A time, a little before the run's last moment, up to which the clock ends no run.
+  double time_before_the_end() const { return (1 - 1e-9) * last_moment(); }
+
+  /// Whether the collision just done may be the last one: else what_ends() has no answer, which
+  /// takes longer to see. Right after a collision nothing rests, and none has waited for another.
+  ///
+  /// \param sure_time  time_before_the_end()
+  bool may_end_with_a_collision(double sure_time) const {
+    const auto& limit = values_.run.collisions;
+    return observers_.has_violation() || (interrupt_ && *interrupt_) || observers_.has_arrested() ||
+           (limit && simulation_.collisions() >= *limit) || !(simulation_.time() < sure_time);
+  }
+
   void begin_samples() {
     const auto& measure = values_.measure;
     if (!measure.sampling_interval) return;

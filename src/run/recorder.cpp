@@ -34,27 +34,6 @@ Recorder<Dim, Real>::Recorder(const Case& values, const Simulation<Dim, Real>& s
 }
 
 template <int Dim, class Real>
-void Recorder<Dim, Real>::observe(const Collision<Dim, Real>& collision) {
-  if (output_.collision_log == CollisionLog::none) return;
-  observe_next(collision.gap_before);
-  if (waiting_) append(*waiting_);
-  log_.write(collision, waiting_.emplace());
-}
-
-template <int Dim, class Real>
-void Recorder<Dim, Real>::observe_next(const Real& gap) {
-  if (waiting_) log_.complete(*waiting_, gap);
-}
-
-template <int Dim, class Real>
-void Recorder<Dim, Real>::append(const CollisionRow& row) {
-  const bool is_windowed = output_.collision_log == CollisionLog::window;
-  if (is_windowed && row.k < output_.log_first) return;
-  if (is_windowed && output_.log_last && row.k > *output_.log_last) return;
-  file_.append(row);
-}
-
-template <int Dim, class Real>
 void Recorder<Dim, Real>::take_snapshot(const Simulation<Dim, Real>& simulation) {
   file_.write(snapshot_of(simulation));
   last_snapshot_time_ = simulation.time();

@@ -25,10 +25,17 @@ class Recorder {
            ArchiveReader& archive);
   void archive_to(ArchiveWriter& archive) const { archive_members(*this, archive); }
 
-  void observe(const Collision<Dim, Real>& collision);
+  void observe(const Collision<Dim, Real>& collision) {
+    if (output_.collision_log == CollisionLog::none) return;
+    observe_next(collision.gap_before);
+    if (waiting_) append(*waiting_);
+    log_.write(collision, waiting_.emplace());
+  }
 
   /// The gap, at the collision observed last, of the pair that collides next.
-  void observe_next(const Real& gap);
+  void observe_next(const Real& gap) {
+    if (waiting_) log_.complete(*waiting_, gap);
+  }
 
   /// Time at which the next snapshot is due; infinity if none is.
   double next_snapshot() const { return next_snapshot_; }
@@ -46,7 +53,12 @@ class Recorder {
     require_counts(self.snapshots_);
   }
 
-  void append(const CollisionRow& row);
+  void append(const CollisionRow& row) {
+    const bool is_windowed = output_.collision_log == CollisionLog::window;
+    if (is_windowed && row.k < output_.log_first) return;
+    if (is_windowed && output_.log_last && row.k > *output_.log_last) return;
+    file_.append(row);
+  }
   void schedule_snapshot();
   void schedule_next();
   double time_of(std::int64_t n) const;

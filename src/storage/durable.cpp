@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 namespace zenosphere {
 namespace {
@@ -74,6 +76,26 @@ void write_at(const FileDescriptor& file, std::uint64_t offset,
     checked(count);
     offset += static_cast<std::uint64_t>(count);
     bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+}
+
+void write_at(const FileDescriptor& file, std::uint64_t offset,
+              std::span<const std::span<const std::uint8_t>> pieces) {
+  std::vector<iovec> vectors;
+  for (const auto piece : pieces) {
+    vectors.push_back({const_cast<std::uint8_t*>(piece.data()), piece.size()});  // only read
+  }
+  ssize_t count = 0;
+  do {
+    count = pwritev(file.id(), vectors.data(), static_cast<int>(vectors.size()),
+                    static_cast<off_t>(offset));
+  } while (count < 0 && errno == EINTR);
+  auto written = static_cast<std::size_t>(checked(count));
+  for (const auto piece : pieces) {  // a full disk takes a part: the rest tells so
+    const std::size_t done = std::min(written, piece.size());
+    write_at(file, offset + done, piece.subspan(done));
+    offset += piece.size();
+    written -= done;
   }
 }
 

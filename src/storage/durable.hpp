@@ -45,6 +45,9 @@ std::optional<FileIdentity> identity_of(const std::filesystem::path& path);
 /// Writes all bytes at a place of the file. Throws SystemError.
 void write_at(const FileDescriptor& file, std::uint64_t offset,
               std::span<const std::uint8_t> bytes);
+/// The same of bytes in at most 1024 pieces, one behind the other.
+void write_at(const FileDescriptor& file, std::uint64_t offset,
+              std::span<const std::span<const std::uint8_t>> pieces);
 /// Writes all bytes to a descriptor that goes on from where it is: a pipe, a terminal. Throws
 /// SystemError.
 void write_next(int descriptor, std::span<const std::uint8_t> bytes);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 
+#include <array>
+#include <bit>
 #include <cerrno>
 #include <cstring>
 
@@ -20,6 +22,13 @@ constexpr std::uint32_t version = 3 + log_version;
 constexpr std::size_t header_size = 8 + 4 + (4 * 8 + 4) + 4;
 constexpr std::size_t record_header_size = 4 + 4 + 8;
 
+/// Numbers as an archive has them.
+template <class Number>
+std::span<const std::uint8_t> bytes_of(std::span<const Number> numbers) {
+  static_assert(std::endian::native == std::endian::little);
+  return {reinterpret_cast<const std::uint8_t*>(numbers.data()), numbers.size_bytes()};
+}
+
 Bytes header(const Basis& basis) {
   ArchiveWriter archive;
   archive(magic, version, basis);
@@ -27,12 +36,17 @@ Bytes header(const Basis& basis) {
   return archive.release();
 }
 
+using Piece = std::span<const std::uint8_t>;
+
 /// The checksum of a record covers what is around it too: a payload under another kind is none.
-std::uint32_t record_checksum(std::uint32_t seed, RecordKind kind,
-                              std::span<const std::uint8_t> payload) {
+std::uint32_t record_checksum(std::uint32_t seed, RecordKind kind, std::span<const Piece> payload) {
+  std::uint64_t size = 0;
+  for (const Piece piece : payload) size += piece.size();
   ArchiveWriter archive;
-  archive(static_cast<std::uint32_t>(kind), std::uint64_t{payload.size()});
-  return checksum(payload, checksum(archive.bytes(), seed));
+  archive(static_cast<std::uint32_t>(kind), size);
+  std::uint32_t sum = checksum(archive.bytes(), seed);
+  for (const Piece piece : payload) sum = checksum(piece, sum);
+  return sum;
 }
 
 template <class Payload>
@@ -107,8 +121,9 @@ std::optional<JournalRecord> JournalReader::next() {
 
 Bytes JournalReader::payload(const JournalRecord& record) const {
   Bytes bytes = read_at(file_, record.offset, static_cast<std::size_t>(record.length));
-  const bool is_whole = bytes.size() == record.length &&
-                        record_checksum(seed_, record.kind, bytes) == record.checksum;
+  const bool is_whole =
+      bytes.size() == record.length &&
+      record_checksum(seed_, record.kind, std::array{Piece(bytes)}) == record.checksum;
   require_archived(is_whole, "a record that was not written whole");
   return bytes;
 }
@@ -181,21 +196,35 @@ template <class Payload>
 void Journal::append(RecordKind kind, const Payload& payload) {
   ArchiveWriter archive;
   archive(payload);
-  const Bytes bytes = archive.release();
+  write(kind, std::array{Piece(archive.bytes())});
+}
+
+void Journal::write(RecordKind kind, std::span<const Piece> payload) {
+  std::uint64_t size = 0;
+  for (const Piece piece : payload) size += piece.size();
   ArchiveWriter head;
-  head(static_cast<std::uint32_t>(kind), record_checksum(seed_, kind, bytes),
-       std::uint64_t{bytes.size()});
+  head(static_cast<std::uint32_t>(kind), record_checksum(seed_, kind, payload), size);
+  std::vector<Piece> pieces{head.bytes()};
+  pieces.insert(pieces.end(), payload.begin(), payload.end());
   try {
-    write_at(file_, size_, head.bytes());
-    write_at(file_, size_ + record_header_size, bytes);
+    write_at(file_, size_, pieces);
   } catch (const SystemError&) {
     cut(file_, size_);  // gives the space back, too
     throw;
   }
-  size_ += record_header_size + bytes.size();
+  size_ += record_header_size + size;
 }
 
-void Journal::append(const CollisionRows& rows) { append(RecordKind::rows, rows); }
+/// Rows are many: their columns go to the file from where they are.
+void Journal::append(const CollisionRows& rows) {
+  const std::uint64_t length = rows.size();
+  std::vector<Piece> pieces;
+  CollisionRows::fields(rows, [&](const char*, const auto& column, auto) {
+    pieces.push_back(bytes_of(std::span(&length, 1)));
+    pieces.push_back(bytes_of(std::span(column)));
+  });
+  write(RecordKind::rows, pieces);
+}
 
 void Journal::append(const Snapshot& snapshot) { append(RecordKind::snapshot, snapshot); }
 

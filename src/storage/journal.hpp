@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "storage/durable.hpp"
@@ -104,6 +105,7 @@ class Journal {
  private:
   template <class Payload>
   void append(RecordKind kind, const Payload& payload);
+  void write(RecordKind kind, std::span<const std::span<const std::uint8_t>> payload);
 
   std::filesystem::path path_;
   FileDescriptor file_;

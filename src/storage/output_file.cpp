@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Rows kept in memory: 512 KiB of a float64 column, so that a write costs little a row.
-constexpr std::size_t log_buffer = 65536;
 /// A journal up to this size is not worth a new HDF5 file [bytes].
 constexpr std::uint64_t least_fold = 64 << 20;
 
@@ -129,10 +127,8 @@ void OutputFile::write(const Snapshot& snapshot) {
   });
 }
 
-void OutputFile::append(const CollisionRow& row) {
-  buffer_.append(row);
-  ++log_rows_;
-  if (buffer_.size() >= log_buffer) guarded([&] { flush_rows(); });
+void OutputFile::flush_buffer() {
+  guarded([&] { flush_rows(); });
 }
 
 void OutputFile::flush_rows() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -42,8 +43,12 @@ class OutputFile {
   /// Appends a snapshot of the N spheres in D dimensions that the header tells.
   void write(const Snapshot& snapshot);
 
-  /// Appends a row to the collision log, in buffers of 65536 rows (2.7 MB).
-  void append(const CollisionRow& row);
+  /// Appends a row to the collision log, in buffers of `log_buffer` rows.
+  void append(const CollisionRow& row) {
+    buffer_.append(row);
+    ++log_rows_;
+    if (buffer_.size() >= log_buffer) flush_buffer();
+  }
 
   /// Gives a new output its name, with the checkpoint of the start in it.
   void begin(Checkpoint checkpoint);
@@ -80,8 +85,12 @@ class OutputFile {
   void require_in_place() const;
 
  private:
+  /// So many that a write costs little a row: 168 KB.
+  static constexpr std::size_t log_buffer = 4096;
+
   template <class Action>
   void guarded(Action action);
+  void flush_buffer();
   void flush_rows();
   void keep_in_mind(Checkpoint checkpoint);
   Checkpoint counted(Checkpoint checkpoint) const;

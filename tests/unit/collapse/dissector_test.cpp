@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "collapse/recent_collisions.hpp"
@@ -211,32 +213,63 @@ TEST_F(Dissecting, TakesNoHitBeforeTheFirstCollisionItHasSeen) {
   EXPECT_FALSE(dissector.anatomy().hit);
 }
 
-TEST(RecentCollisions, KeepABoundedNumberBeforeAndSinceTheClockStopped) {
-  RecentCollisions<1, double> recent(dissected_gap, 1.0);
-  Collision<1, double> collision;
-  collision.impact.normal_speed = 1;
-  const auto observe = [&](double gap, double time) {
-    ++collision.number;
-    collision.gap_before = gap;
-    collision.time.remainder = time;
-    recent.observe(collision);
-  };
-  for (int n = 0; n < 3000; ++n) observe(0.1, n);
-  for (int n = 0; n < 3000; ++n) observe(0, 3000);
-  const auto traces = recent.traces();
-  EXPECT_EQ(recent.before_stretch(), 1024u);
-  EXPECT_EQ(traces.size(), 2048u);
-  EXPECT_EQ(traces[1023].number, 3000);
-  EXPECT_EQ(traces.back().number, 6000);
-  for (std::size_t n = 1; n < traces.size(); ++n) {
-    ASSERT_LT(traces[n - 1].number, traces[n].number);
+/// The recent collisions of a run on a line whose gaps and times are told.
+class RecentRun {
+ public:
+  void observe(double gap, double time) {
+    ++collision_.number;
+    collision_.gap_before = gap;
+    collision_.time.remainder = time;
+    recent.observe(collision_);
   }
-  observe(0, 3001);  // the clock has moved: what was a stretch has led here
-  const auto later = recent.traces();
+  std::vector<std::int64_t> numbers() const {
+    std::vector<std::int64_t> numbers;
+    for (const auto& trace : recent.traces()) numbers.push_back(trace.number);
+    return numbers;
+  }
+
+  RecentCollisions<1, double> recent{dissected_gap, 1.0};
+
+ private:
+  Collision<1, double> collision_;
+};
+
+TEST(RecentCollisions, KeepABoundedNumberBeforeAndSinceTheClockStopped) {
+  RecentRun run;
+  for (int n = 0; n < 3000; ++n) run.observe(0.1, n);
+  for (int n = 0; n < 3000; ++n) run.observe(0, 3000);
+  const auto numbers = run.numbers();
+  EXPECT_EQ(run.recent.before_stretch(), 1024u);
+  EXPECT_EQ(numbers.size(), 2048u);
+  EXPECT_EQ(numbers[1023], 3000);
+  EXPECT_EQ(numbers.back(), 6000);
+  EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end(), std::less_equal<>()));
+  run.observe(0, 3001);  // the clock has moved: what was a stretch has led here
+  const auto later = run.numbers();
   EXPECT_EQ(later.size(), 1025u);
-  EXPECT_EQ(later.front().number, 6000 - 1023);
-  for (std::size_t n = 1; n < later.size(); ++n) {
-    ASSERT_EQ(later[n].number, later[n - 1].number + 1);
+  EXPECT_EQ(later.front(), 6000 - 1023);
+  for (std::size_t n = 1; n < later.size(); ++n) ASSERT_EQ(later[n], later[n - 1] + 1);
+}
+
+TEST(RecentCollisions, GoOnFromAnArchiveAsTheyWould) {
+  // Stretches of 1, 3 and 1500 collisions, archived in the midst of each.
+  for (const auto& [before, since] : {std::pair(0, 0), {0, 1}, {5, 0}, {1030, 2}, {40, 1500}}) {
+    RecentRun run;
+    for (int n = 0; n < before; ++n) run.observe(0.1, n);
+    for (int n = 0; n < since; ++n) run.observe(0, before);
+    ArchiveWriter writer;
+    writer(run.recent);
+    RecentRun other = run;
+    other.recent = RecentCollisions<1, double>(dissected_gap, 1.0);
+    ArchiveReader reader(writer.bytes());
+    reader(other.recent);
+    reader.require_end();
+    EXPECT_EQ(other.numbers(), run.numbers()) << before << ' ' << since;
+    for (RecentRun* both : {&run, &other}) {
+      both->observe(0, before);
+      for (int n = 0; n < 3; ++n) both->observe(0.1, before + 1 + n);
+    }
+    EXPECT_EQ(other.numbers(), run.numbers()) << before << ' ' << since;
   }
 }
 

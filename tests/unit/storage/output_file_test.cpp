@@ -40,7 +40,7 @@ TEST_F(OutputFileTest, SnapshotsAreReadBackBitForBit) {
 }
 
 TEST_F(OutputFileTest, LogLongerThanItsBufferIsReadBackBitForBit) {
-  const std::int64_t rows = 150'000;  // two buffers of 65536 and a rest
+  const std::int64_t rows = 150'000;  // 36 buffers of 4096 and a rest
   OutputFile output(path, planar_pair, Existing::refuse);
   write_run(output, 1000);
   output.checkpoint(checkpoint(1000));  // so that later buffers straddle the chunks of the file
