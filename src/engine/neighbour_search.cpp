@@ -16,19 +16,18 @@ bool cells_alone_suffice(const Spheres<Dim, Real>& spheres) {
 }  // namespace
 
 template <int Dim, class Real>
-NeighbourSearch<Dim, Real>::NeighbourSearch(Spheres<Dim, Real>& spheres)
-    : search_(suiting(spheres)) {}
-
-template <int Dim, class Real>
-typename NeighbourSearch<Dim, Real>::Either NeighbourSearch<Dim, Real>::suiting(
-    Spheres<Dim, Real>& spheres) {
-  if (cells_alone_suffice(spheres)) return Either(std::in_place_type<Cells>, spheres);
-  return Either(std::in_place_type<Lists>, spheres);
+NeighbourSearch<Dim, Real>::NeighbourSearch(Spheres<Dim, Real>& spheres) {
+  if (cells_alone_suffice(spheres)) {
+    cells_.emplace(spheres);
+  } else {
+    lists_.emplace(spheres);
+  }
 }
 
 template <int Dim, class Real>
 void NeighbourSearch<Dim, Real>::renew_in_crowd(Spheres<Dim, Real>& spheres, const Real& when) {
-  search_.template emplace<Lists>(spheres, when);
+  cells_.reset();
+  lists_.emplace(spheres, when);
 }
 
 template <int Dim, class Real>
@@ -43,23 +42,21 @@ bool NeighbourSearch<Dim, Real>::is_far_out(const Spheres<Dim, Real>& spheres, s
 
 template <int Dim, class Real>
 NeighbourSearch<Dim, Real>::NeighbourSearch(const Spheres<Dim, Real>& spheres,
-                                            ArchiveReader& archive)
-    : search_(archived(spheres, archive)) {}
-
-template <int Dim, class Real>
-typename NeighbourSearch<Dim, Real>::Either NeighbourSearch<Dim, Real>::archived(
-    const Spheres<Dim, Real>& spheres, ArchiveReader& archive) {
+                                            ArchiveReader& archive) {
   const bool had_lists = archive.template next<bool>();
-  if (had_lists) return Either(std::in_place_type<Lists>, spheres, archive);
+  if (had_lists) {
+    lists_.emplace(spheres, archive);
+    return;
+  }
   require_archived(cells_alone_suffice(spheres), "cells that are too wide to look in them");
-  return Either(std::in_place_type<Cells>, spheres);
+  cells_.emplace(spheres);
 }
 
 /// Without lists the cells tell all.
 template <int Dim, class Real>
 void NeighbourSearch<Dim, Real>::archive_to(ArchiveWriter& archive) const {
-  archive(!looks_by_cells());
-  if (const Lists* const lists = std::get_if<Lists>(&search_)) lists->archive_to(archive);
+  archive(lists_.has_value());
+  if (lists_) lists_->archive_to(archive);
 }
 
 template <int Dim, class Real>

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
-#include <utility>
-#include <variant>
 
 #include "engine/search_by_cells.hpp"
 #include "engine/search_by_lists.hpp"
@@ -34,7 +33,7 @@ class NeighbourSearch {
   ~NeighbourSearch();
 
   /// Whether spheres are looked for cell by cell, without lists.
-  bool looks_by_cells() const { return search_.index() == 1; }
+  bool looks_by_cells() const { return cells_.has_value(); }
 
   /// The neighbours of i; perhaps i itself, which it never approaches. They hold until the next
   /// call, and up to three more may be read behind them.
@@ -109,23 +108,21 @@ class NeighbourSearch {
  private:
   using Lists = SearchByLists<Dim, Real>;
   using Cells = SearchByCells<Dim, Real>;
-  using Either = std::variant<Lists, Cells>;
-
-  static Either suiting(Spheres<Dim, Real>& spheres);
-  static Either archived(const Spheres<Dim, Real>& spheres, ArchiveReader& archive);
 
   template <class Action>
   decltype(auto) ask(Action action) const {
-    if (looks_by_cells()) return action(*std::get_if<Cells>(&search_));
-    return action(*std::get_if<Lists>(&search_));
+    if (cells_) return action(*cells_);
+    return action(*lists_);
   }
   template <class Action>
   decltype(auto) ask(Action action) {
-    if (looks_by_cells()) return action(*std::get_if<Cells>(&search_));
-    return action(*std::get_if<Lists>(&search_));
+    if (cells_) return action(*cells_);
+    return action(*lists_);
   }
 
-  Either search_;
+  // One of the two. A variant would be tested twice.
+  std::optional<Lists> lists_;
+  std::optional<Cells> cells_;
 };
 
 }  // namespace zenosphere

@@ -61,19 +61,6 @@ Real SearchByLists<Dim, Real>::renewal_time(const Spheres<Dim, Real>& spheres, s
   return left < expires ? left : expires;
 }
 
-template <int Dim, class Real>
-Vec<Dim, Real> SearchByLists<Dim, Real>::from_middle(const Spheres<Dim, Real>& spheres,
-                                                     std::int32_t i, const Vector& place) const {
-  const ReferencePosition& reference = this->reference(i);
-  const Vector corner = spheres.sliding_box().corner(spheres[i].cell);
-  Vector away;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const Real middle = reference.place[static_cast<std::size_t>(axis)] * Real(range_.grain);
-    away[axis] = (place[axis] - corner[axis]) - middle;
-  }
-  return away;
-}
-
 /// Time until a sphere that flies straight is so far from its reference position as its ball
 /// reaches.
 ///

@@ -61,7 +61,17 @@ class SearchByLists {
   /// Of a ball, diameters.
   double reach() const { return range_.reach; }
   /// A place of a sphere from its reference position.
-  Vector from_middle(const Spheres<Dim, Real>& spheres, std::int32_t i, const Vector& place) const;
+  [[gnu::always_inline]] Vector from_middle(const Spheres<Dim, Real>& spheres, std::int32_t i,
+                                            const Vector& place) const {
+    const ReferencePosition& reference = this->reference(i);
+    const Vector corner = spheres.sliding_box().corner(spheres[i].cell);
+    Vector away;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Real middle = reference.place[static_cast<std::size_t>(axis)] * Real(range_.grain);
+      away[axis] = (place[axis] - corner[axis]) - middle;
+    }
+    return away;
+  }
   bool is_crowded() const { return is_crowded_; }
 
  private:

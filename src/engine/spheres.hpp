@@ -97,7 +97,7 @@ class Spheres {
       position += acceleration_ * (flight * flight / 2);
     return position;
   }
-  Vector velocity_at(std::int32_t i, const Real& when) const {
+  [[gnu::always_inline]] Vector velocity_at(std::int32_t i, const Real& when) const {
     const Sphere& sphere = (*this)[i];
     if (!falls(i)) [[likely]]
       return sphere.velocity;
@@ -107,13 +107,11 @@ class Spheres {
   /// A sphere as it is at `when`.
   Sphere copy_at(std::int32_t i, const Real& when) const {
     Sphere copy = (*this)[i];
-    copy.position = position_at(i, when);
-    copy.velocity = velocity_at(i, when);
-    copy.time = when;
+    fly(copy, i, when);
     return copy;
   }
   /// Stores a sphere as it is at `when`.
-  void advance(std::int32_t i, const Real& when) { (*this)[i] = copy_at(i, when); }
+  void advance(std::int32_t i, const Real& when) { fly((*this)[i], i, when); }
 
   /// Motion of a neighbour relative to i at `when`.
   RelativeMotion<Dim, Real> motion(std::int32_t i, Neighbour neighbour, const Real& when) const {
@@ -226,6 +224,12 @@ class Spheres {
   /// Whether a sphere is accelerated. Where none is, that is one test.
   [[gnu::always_inline]] bool falls(std::int32_t i) const {
     return fall_ && !(some_are_held_ && grains_.is_immobile(i));
+  }
+  /// Moves the sphere i, or a copy of it, to where it is at `when`.
+  void fly(Sphere& sphere, std::int32_t i, const Real& when) const {
+    sphere.position = position_at(i, when);
+    sphere.velocity = velocity_at(i, when);
+    sphere.time = when;
   }
   Viewpoint<Dim, Real> viewpoint(std::int32_t i, const Real& when) const {
     return {position_at(i, when), velocity_at(i, when), when};
