@@ -57,7 +57,8 @@ def test_observables_are_those_of_the_spheres_that_move(mixture):
         velocity = file["particles/spheres/velocity/value"][-1, :60]  # small ones, of mass 1
     header, *_, last = exported(mixture, "csv-observables", "o.csv").read_text().splitlines()
     row = dict(zip(header.split(","), map(float, last.split(","))))
-    assert row["temperature_xy"] == pytest.approx((velocity[:, 0] * velocity[:, 1]).mean(), rel=1e-12)
+    assert row["temperature_xy"] == pytest.approx((velocity[:, 0] * velocity[:, 1]).mean(),
+                                                  rel=1e-12)
     assert row["temperature_z"] == pytest.approx((velocity[:, 2]**2).mean(), rel=1e-12)
     assert row["fastest"] == pytest.approx(np.sqrt((velocity**2).sum(axis=1).max()), rel=1e-12)
 
