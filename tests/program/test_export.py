@@ -1,5 +1,6 @@
 """`zenosphere export`: the programs that the files are for read in them what the run recorded."""
 
+import base64
 import os
 import re
 import subprocess
@@ -162,6 +163,11 @@ def test_vtk_reads_frames_to_the_last_bit(export, sheared):
         assert (field["TimeValue"][0], field["step"][0]) == (time, run.step[n])
 
 
+def whole_numbers(array):
+    """Of a DataArray of integers: behind how many bytes they are."""
+    return np.frombuffer(base64.b64decode(array.text), "<i8")[1:]
+
+
 def test_frames_are_built_as_ovito_needs_them(export, sheared):
     """OVITO looks for the piece as the first of the first, and for a vertex for each point."""
     for _, path in collection(export(sheared[1], "vtp", "--every", "10")):
@@ -169,6 +175,9 @@ def test_frames_are_built_as_ovito_needs_them(export, sheared):
         piece = ElementTree.parse(path).getroot()[0][0]
         assert piece.tag == "Piece" and piece.get("NumberOfVerts") == piece.get("NumberOfPoints")
         assert {array.get("format") for array in piece.iter("DataArray")} == {"binary"}
+        vertices = np.arange(int(piece.get("NumberOfVerts")))
+        assert np.array_equal(whole_numbers(piece.find(".//*[@Name='connectivity']")), vertices)
+        assert np.array_equal(whole_numbers(piece.find(".//*[@Name='offsets']")), vertices + 1)
 
 
 def test_distances_in_vtk_are_those_of_the_run(export, sheared):

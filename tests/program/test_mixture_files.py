@@ -51,6 +51,29 @@ def test_exports_have_radius_mass_kind_and_angular_velocity(mixture):
         (inertia * (spin**2).sum(axis=1)).mean() / 3, rel=1e-12)
 
 
+def test_observables_are_those_of_the_spheres_that_move(mixture):
+    _, path = mixture.keep({"drive.kind": "none", "species.large.immobile": "true"})
+    with h5py.File(path) as file:
+        velocity = file["particles/spheres/velocity/value"][-1, :60]  # small ones, of mass 1
+    header, *_, last = exported(mixture, "csv-observables", "o.csv").read_text().splitlines()
+    row = dict(zip(header.split(","), map(float, last.split(","))))
+    assert row["temperature_xy"] == pytest.approx((velocity[:, 0] * velocity[:, 1]).mean(),
+                                                  rel=1e-12)
+    assert row["temperature_z"] == pytest.approx((velocity[:, 2]**2).mean(), rel=1e-12)
+    assert row["fastest"] == pytest.approx(np.sqrt((velocity**2).sum(axis=1).max()), rel=1e-12)
+
+
+def test_disks_turn_about_one_axis(mixture):
+    _, path = mixture.keep({**ROUGH, "system.dimension": 2, "run.collisions": 300})
+    with h5py.File(path) as file:
+        group = file["particles/spheres"]
+        inertia = 0.125 * group["mass"][:] * group["diameter"][:]**2  # of solid disks, m s^2 / 8
+        spin = group["angular_velocity/value"][-1].ravel()
+    header, *_, last = exported(mixture, "csv-observables", "o.csv").read_text().splitlines()
+    row = dict(zip(header.split(","), map(float, last.split(","))))
+    assert row["rotational_temperature"] == pytest.approx((inertia * spin**2).mean(), rel=1e-12)
+
+
 def test_an_exported_frame_is_a_start(mixture):
     mixture.keep({**ROUGH, "drive.kind": "none"}, name="out.h5")
     exported(mixture, "extxyz", "last.xyz")

@@ -64,6 +64,14 @@ def test_page_says_what_info_says(page, program):
     assert found["run"]["values"]["restitution_law"] == "constant"
 
 
+def test_page_has_the_radii_of_spheres_that_differ(mixture):
+    mixture.keep({"run.collisions": 10})
+    mixture("report", "out.h5", "-o", "page.html")
+    grains = blocks(mixture.folder / "page.html")["run"]["grains"]
+    assert grains["radii"] == [0.5] * 60 + [0.7] * 30
+    assert grains["kinds"] == [0] * 60 + [1] * 30 and grains["names"] == ["small", "large"]
+
+
 def test_page_has_the_series_of_the_run(program):
     program("run", "case.toml", "--quiet", "-o", "out.h5", "--set", "run.collisions=20000")
     program("report", "out.h5", "-o", "page.html")

@@ -1,7 +1,5 @@
 """zenosphere sweep: one store however it comes about, and what a user sees when something is wrong."""
 
-import csv
-import io
 import json
 import os
 import pty
@@ -76,29 +74,11 @@ def test_case_that_show_prints_repeats_the_run(sweep):
         assert summary["averages"]["pressure_tensor"] == json.loads(row["pressure_tensor"])
 
 
-def test_csv_has_a_line_for_each_run(sweep):
-    sweep("sweep", "s.toml")
-    table = list(csv.DictReader(io.StringIO(sweep("sweep", "csv", "s.sqlite").stdout)))
-    found = rows(sweep.folder / "s.sqlite")
-    assert [int(line["run"]) for line in table] == [row["run"] for row in found]
-    assert [float(line["time"]) for line in table] == [row["time"] for row in found]
-    assert [line["arrest_pairs"] for line in table] == [row["arrest_pairs"] for row in found]
-    sweep("sweep", "csv", "s.sqlite", "-o", "s.csv")
-    assert list(csv.DictReader((sweep.folder / "s.csv").open())) == table
-
-
 def test_number_of_no_run_is_answered_with_those_there_are(sweep):
     sweep("sweep", "s.toml", "--quiet")
     for source in ("s.toml", "s.sqlite"):
         [line] = sweep.fail("sweep", "show", source, "--run", "99")
         assert line == f"--run 99: there is no such run in {source} (0 to 7)"
-
-
-def test_csv_goes_to_standard_output_by_the_name_of_it(sweep):
-    sweep("sweep", "s.toml", "--quiet")
-    printed = sweep("sweep", "csv", "s.sqlite").stdout
-    for name in ("-", "/dev/stdout"):
-        assert sweep("sweep", "csv", "s.sqlite", "-o", name).stdout == printed
 
 
 def test_extended_sweep_keeps_its_rows_and_adds_some(sweep):

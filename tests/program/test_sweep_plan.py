@@ -3,6 +3,8 @@
 import json
 import sqlite3
 
+import pytest
+from sweeps import SWEEP
 
 
 def test_dry_run_tells_the_plan_and_runs_nothing(sweep):
@@ -10,6 +12,8 @@ def test_dry_run_tells_the_plan_and_runs_nothing(sweep):
     assert (told["points"], told["seeds"], told["pending"]) == (4, 2, 8)
     assert told["seconds_per_run"] > 0 and "probes" in told["source"]
     assert not (sweep.folder / "s.sqlite").exists()
+    most = sweep("sweep", "s.toml", "--dry-run", "--json", "--threads", "1024").stdout
+    assert json.loads(most)["workers"] == 1024
     sweep("sweep", "s.toml")
     text = sweep("sweep", "s.toml", "--dry-run").stdout
     assert "8 (8 done, 0 failed)" in text and "from the 8 runs done" in text
@@ -42,6 +46,16 @@ def test_run_that_went_to_its_limits_tells_what_the_others_at_its_point_take(swe
     told = planned(sweep)
     assert told["source"] == "from the runs done at 2 points"
     assert told["seconds_per_run"] == 1500
+    assert told["seconds"] == 1500 * 2 / min(told["workers"], 2)
+
+
+def test_every_run_that_is_left_at_a_point_takes_its_time(sweep):
+    (sweep.folder / "s.toml").write_text(SWEEP.replace("seeds = 2", "seeds = 3"))
+    sweep("sweep", "s.toml", "--quiet")
+    altered(sweep, "UPDATE run SET wall_seconds = 1000 * (point + 1), ended_by = 'collisions'")
+    altered(sweep, "UPDATE run SET status = 'pending' WHERE replica > point AND point < 2")
+    told = planned(sweep)  # two of 1000 s at the first point, one of 2000 s at the second
+    assert told["pending"] == 3 and told["seconds_per_run"] == pytest.approx(4000 / 3)
 
 
 def test_estimate_adds_points_that_are_known_and_those_that_are_probed(sweep):

@@ -79,3 +79,29 @@ def test_beyond_predictability_nothing_is_claimed(program):
     followed = replayed(program)
     assert 108 * 5 < followed < 20000
     assert f"beyond predictability   {20000 - followed}" in told
+
+
+DRIFTING = """
+[system]
+dimension = 2
+spheres = 2
+sides = [10, 10]
+restitution = 0.9
+[start]
+arrangement = "given"
+positions = [[3, 5], [6, 5.2]]
+velocities = [[1, 0.5], [-1, 0.4]]
+[drive]
+kind = "shear"
+shear_rate = 0.1
+[run]
+time = 20
+[output]
+snapshot_interval = 1
+"""
+
+
+def test_spheres_that_drift_across_the_shear_lose_momentum_along_it(program):
+    program.case.write_text(DRIFTING)
+    program("run", "case.toml", "--quiet", "-o", "out.h5")
+    assert "No contradiction found." in program("verify", "out.h5").stdout

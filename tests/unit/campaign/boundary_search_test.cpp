@@ -163,6 +163,22 @@ TEST(BoundarySearch, SameResultsGiveTheSameRounds) {
   EXPECT_EQ(once.estimate().place, again.estimate().place);
 }
 
+TEST(BoundarySearch, FirstRoundDecidesNothing) {
+  BoundarySearch search(restitution);
+  for (const double x : search.next_round()) search.observe(x, false);
+  EXPECT_EQ(search.finding(), BoundaryFinding::unresolved);
+  for (const double x : search.next_round()) search.observe(x, false);
+  EXPECT_EQ(search.finding(), BoundaryFinding::below);
+}
+
+TEST(BoundarySearch, IntervalLeavesAFortiethOnEitherSide) {
+  // Before any run c is uniform in (-1, 2).
+  const Estimate estimate = BoundarySearch(restitution).estimate();
+  EXPECT_NEAR(estimate.place, 0.5, 1e-9);
+  EXPECT_NEAR(estimate.low, -1 + 3 * 0.025, 1e-9);
+  EXPECT_NEAR(estimate.high, 2 - 3 * 0.025, 1e-9);
+}
+
 TEST(Response, OneRunGivesTheWeightsThatBayesGives) {
   // c is uniform in (-1, 2), and a run at x = 0 met the criterion: if P rises, c is likely below 0,
   // a third of what is possible; if it falls, above, two thirds.

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "campaign/csv.hpp"
 #include "campaign/seeds.hpp"
 #include "model/errors.hpp"
 #include "store_fixture.hpp"
@@ -27,6 +28,16 @@ TEST_F(SweepStoreTest, GivesRunsTheSeedOfTheirNumber) {
   ASSERT_EQ(tasks.size(), 2U);
   EXPECT_EQ(tasks[1].run, 4);
   EXPECT_EQ(tasks[1].overrides[0], "start.seed=" + std::to_string(run_seed(7, 4)));
+}
+
+TEST_F(SweepStoreTest, CsvPutsTextsWithCommasInQuotesAndDoublesThoseInThem) {
+  SweepStore opened = store();
+  opened.record({1, Failure{"key \"a\", not b"}});
+  opened.commit();
+  Database database(path(), Database::Access::read);
+  std::string table;
+  write_csv(database, [&](const std::string& text) { table += text; });
+  EXPECT_NE(table.find(",failed,\"key \"\"a\"\", not b\","), std::string::npos) << table;
 }
 
 TEST_F(SweepStoreTest, KeepsWhatWasCommittedAndDropsWhatWasNot) {

@@ -57,6 +57,8 @@ TEST(LogDigest, LongLogKeepsEveryExtremeAndCountsEveryHit) {
   EXPECT_EQ(std::ranges::min(all.flight_low), 0.0);
   EXPECT_EQ(std::ranges::max(all.flight_high), 1.0);
   EXPECT_EQ(std::accumulate(all.hits.begin(), all.hits.end(), 0), 1);
+  // 40000 = 3 x 13333 + 1 is the first row of its bin.
+  EXPECT_EQ(all.flags[13333], collision_flag::hit);
   EXPECT_EQ(all.time.back(), 0.5 * static_cast<double>(rows));
   EXPECT_TRUE(all.i.empty());
 }

@@ -97,6 +97,51 @@ TEST(Summary, TextNamesOnlyTheFirstPairsOfALargeCluster) {
   auto summary = collapsed_summary();
   summary.arrest.pairs.assign(9, {4, 5});
   EXPECT_NE(to_text(summary, 2).find(" 4-5 4-5 4-5 4-5 4-5 4-5 and 3 more;"), std::string::npos);
+  summary.arrest.pairs.resize(7);
+  EXPECT_NE(to_text(summary, 2).find(" 4-5 4-5 4-5 4-5 4-5 4-5 and 1 more;"), std::string::npos);
+}
+
+TEST(Summary, TextTellsTheStrainBehindTheTime) {
+  Summary summary;
+  summary.time = 2;
+  EXPECT_NE(to_text(summary, 2).find("\n  time                    2\n"), std::string::npos);
+  summary.strain = 5;
+  EXPECT_NE(to_text(summary, 2).find("\n  time                    2 (strain 5)\n"),
+            std::string::npos);
+}
+
+TEST(Summary, TextTellsTheFirstAndTheLastHit) {
+  EXPECT_NE(
+      to_text(collapsed_summary(), 2).find("12 hits, collisions 70 to 90, first at time 0.25"),
+      std::string::npos);
+}
+
+TEST(Summary, TextGivesTheStrongestStreakWithTheErrorOfItsMode) {
+  Summary summary;
+  summary.collisions = 10'000;
+  summary.averages = planar_averages();
+  summary.averages->streak_amplitude = 0.5;
+  summary.averages->streak_modes = {0.1, 0.5, 0.2};
+  summary.averages->standard_error = planar_averages();
+  summary.averages->standard_error->streak_modes = {0.4, 0.03, 0.002};
+  EXPECT_NE(to_text(summary, 2).find("\n  streak amplitude        0.50(3) diameter/time\n"),
+            std::string::npos);
+}
+
+TEST(Summary, TextGivesTheTemperaturesOfEachKind) {
+  Summary summary;
+  summary.species = {{"large", 30, 0.5, 0.25}, {"fixed", 1}};
+  EXPECT_NE(to_text(summary, 2)
+                .find("\n  species large           30 spheres, granular temperature "
+                      "0.5, rotational 0.25\n  species fixed           1 sphere\n"),
+            std::string::npos);
+}
+
+TEST(Summary, CourseHasTheTimesOfTheLastHitAndOfTheLongestPause) {
+  const Course course = course_of(collapsed_summary());
+  EXPECT_EQ(course.last_hit, 90);
+  EXPECT_EQ(course.last_hit_time, 0.5);
+  EXPECT_EQ(course.longest_pause, 0.125);
 }
 
 }  // namespace

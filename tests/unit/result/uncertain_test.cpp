@@ -10,6 +10,8 @@ namespace {
 TEST(Uncertain, EndsWhereTheErrorBegins) {
   EXPECT_EQ(with_error(1.13945, 0.0021, 6), "1.139(2)");
   EXPECT_EQ(with_error(1.13945, 0.00123, 6), "1.1395(12)");
+  EXPECT_EQ(with_error(1.13945, 0.00194, 6), "1.1395(19)");  // two digits of an error up to 1.94
+  EXPECT_EQ(with_error(1.13945, 0.00196, 6), "1.139(2)");
   EXPECT_EQ(with_error(-0.00012, 0.003, 6), "-0.000(3)");
   EXPECT_EQ(with_error(17.2, 3.4, 6), "17(3)");
   EXPECT_EQ(with_error(0.5, 0.0000999, 6), "0.50000(10)");

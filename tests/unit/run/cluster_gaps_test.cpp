@@ -46,5 +46,13 @@ TEST(ClusterGaps, PairAcrossTheGradientFaceSeesTheVelocityOfTheImage) {
   EXPECT_NEAR(ClusterGaps(gas).smallest(all, 16), 1, 0.01);  // hypot(1.1, 0.01) - 1 = 0.10005
 }
 
+// The upper images are displaced by 3: that of disc 0, at (5, 20.05), is 1.1 above disc 1.
+TEST(ClusterGaps, PairAcrossTheGradientFaceSeesTheImageWhereItIsDisplacedTo) {
+  Configuration<2, double> start{{{2, 0.05}, {5, 18.95}, {12, 10}}, {{0, -1}, {0, 0}, {0, 0}}};
+  start.offset = 3;
+  const Simulation<2, double> gas(ShearBox<2, double>(Place{20, 20}, 0), start, {0.5});
+  EXPECT_NEAR(ClusterGaps(gas).smallest(all, 16), 1, 1e-9);
+}
+
 }  // namespace
 }  // namespace zenosphere

@@ -36,6 +36,16 @@ TEST(HitGroups, HitBetweenTwoGroupsJoinsThem) {
   EXPECT_EQ(groups.groups().front().first_hit, 100);
 }
 
+TEST(HitGroups, JoinedGroupsBeginWithTheOneThatBeganFirst) {
+  HitGroups groups(10);
+  groups.observe(80, {2, 3, 9, false});
+  groups.observe_hit(100, 1.0, at_limit(0, 1));
+  groups.observe_hit(101, 1.0, at_limit(2, 3));
+  groups.observe_hit(102, 1.0, at_limit(1, 2));
+  ASSERT_EQ(groups.groups().size(), 1u);
+  EXPECT_EQ(groups.groups().front().from, 78);  // one before the collision before the gap of 1e-9
+}
+
 TEST(HitGroups, SameSpheresLongAfterAreAnotherGroup) {
   HitGroups groups(10);
   groups.observe_hit(100, 1.0, at_limit(0, 1));
@@ -43,7 +53,7 @@ TEST(HitGroups, SameSpheresLongAfterAreAnotherGroup) {
   EXPECT_EQ(groups.groups().size(), 2u);
 }
 
-TEST(HitGroups, WallConnectsNobody) {
+TEST(HitGroups, WallConnectsNoSpheres) {
   HitGroups groups(2);
   groups.observe_hit(100, 1.0, at_limit(0, 2));
   groups.observe_hit(101, 1.0, at_limit(1, 2));

@@ -71,6 +71,20 @@ TEST(RandomDriving, GivesEachComponentTheVarianceOfTheNoiseTimesTheInterval) {
   }
 }
 
+TEST(RandomDriving, KeepsTheMomentumOfSpheresOfDifferentMasses) {
+  Configuration<1, double> start{{{1}, {4}, {7}}, {{0}, {0}, {0}}};
+  start.grains.diameters = {1, 1, 1};
+  start.grains.masses = {1, 2, 5};
+  Simulation<1, double> gas(ShearBox<1, double>({10}, 0, 1.5), start, {1.0});
+  Measurements<1, double> measurements(gas, 0);
+  RandomDriving<1, double> driving(kicked(1));
+  driving.kick(gas, measurements);
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) sum += gas.grains().mass(i) * gas.peculiar_velocity(i)[0];
+  EXPECT_NEAR(sum, 0, 1e-15);
+  EXPECT_NE(gas.peculiar_velocity(0)[0], 0);
+}
+
 TEST(RandomDriving, LeavesTheMomentumToTheWallsWhereThereAreSome) {
   Case values = kicked(1);
   values.walls.axis = Axis::x;

@@ -122,6 +122,14 @@ TEST(GivenStart, OverlappingSpheresAreNamedAndTouchingOnesPass) {
   EXPECT_NE(problem_at("[[1, 1], [1.999999999995, 1]]"), "");
 }
 
+TEST(GivenStart, RoundingOfPlacesInALongBoxIsNoOverlap) {
+  // 524288 is 2^19: from there on a place has one bit less, 1.2e-10, and these are 1 - 5.8e-11
+  // apart.
+  const std::vector<std::string> wide{"system.sides=[1048576, 8]"};
+  EXPECT_EQ(problem_at("[[524287.2, 1], [524288.2, 1]]", wide), "");
+  EXPECT_NE(problem_at("[[524287.2, 1], [524288.199999999, 1]]", wide), "");  // 1e-9
+}
+
 TEST(GivenStart, SpheresOverlapAcrossPeriodicFacesAndNotAcrossWalls) {
   EXPECT_EQ(problem_at("[[9.75, 7.75], [0.25, 0.25]]"),  // 0.5 sqrt(2)
             "start.positions: spheres 0 and 1 overlap (distance 0.7071067811865 diameters); move "

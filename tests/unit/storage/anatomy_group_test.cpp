@@ -52,6 +52,8 @@ TEST(AnatomyGroup, HoldsEveryClusterFlat) {
   EXPECT_EQ(hdf5::values<std::int32_t>(hit, "spheres/cluster"), (Ids{0, 0, 0, 1}));
   EXPECT_EQ(hdf5::shape(hit, "spheres/position"), (std::vector<std::int64_t>{4, 2}));
   EXPECT_EQ(hdf5::values<std::int32_t>(hit, "contacts/cluster"), (Ids{0, 0, 1}));
+  EXPECT_EQ(hdf5::values<std::int32_t>(hit, "contacts/i"), (Ids{1, 2, 8}));
+  EXPECT_EQ(hdf5::values<std::int32_t>(hit, "contacts/j"), (Ids{2, 5, 9}));
   EXPECT_EQ(hdf5::values<std::int64_t>(hit, "contacts/collisions"),
             (std::vector<std::int64_t>{4, 3, 6}));
   EXPECT_EQ(hdf5::values<double>(hit, "collisions/normal_speed"), (std::vector<double>{1, 0.4}));
@@ -78,11 +80,15 @@ TEST(AnatomyGroup, IsReadAsItWasWritten) {
   EXPECT_EQ(read.hit->clusters[0].positions, written.clusters[0].positions);
   EXPECT_EQ(read.hit->clusters[0].chain, written.clusters[0].chain);
   EXPECT_EQ(read.hit->clusters[1].spheres, written.clusters[1].spheres);
-  EXPECT_EQ(read.hit->clusters[1].contacts.front().collisions, 6);
+  const auto& contact = read.hit->clusters[1].contacts.front();
+  EXPECT_EQ(contact.i, 8);
+  EXPECT_EQ(contact.j, 9);
+  EXPECT_EQ(contact.collisions, 6);
   EXPECT_EQ(read.hit->collisions.k, written.collisions.k);
   EXPECT_TRUE(std::isnan(read.hit->collisions.gap[0]));
   EXPECT_FALSE(read.hit->decay.gap);
   EXPECT_EQ(read.hit->decay.speed->ratio, 0.4);
+  EXPECT_EQ(read.hit->decay.speed->spread, 0.01);
 }
 
 TEST(AnatomyGroup, SphereThatIsNotThereMakesADamagedFile) {
