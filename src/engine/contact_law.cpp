@@ -13,13 +13,13 @@ namespace zenosphere {
 namespace {
 
 /// Any odd constant makes a stream apart from the others of a seed; this one is splitmix64's.
-constexpr std::uint64_t kOtherStream = 0xbf58476d1ce4e5b9;
+constexpr std::uint64_t other_stream = 0xbf58476d1ce4e5b9;
 
 /// So long ago that it is before every contact duration; in the case's time unit.
-constexpr double kNever = -1e300;
+constexpr double never = -1e300;
 
 /// At least every other rotation leaves a pair that recedes: this many in vain are a case in 1e19.
-constexpr int kMostTrials = 64;
+constexpr int most_trials = 64;
 
 /// A unit vector across `direction`, which is one too, in a random sense.
 template <class Real>
@@ -57,10 +57,10 @@ ContactLaw<Dim, Real>::ContactLaw(const ContactRules<Real>& rules, std::int32_t 
     : rules_(rules),
       inertia_(rules.inertia.value_or(Real(solid_inertia<Dim>))),
       clock_unit_(clock_unit),
-      random_(rules.models.seed ^ kOtherStream) {
+      random_(rules.models.seed ^ other_stream) {
   assert(Dim > 1 || rules.models.rotation_angle == 0);
   if (rules.models.contact_duration > 0) {
-    last_contact_.assign(static_cast<std::size_t>(spheres), Instant<Real>{0, Real(kNever)});
+    last_contact_.assign(static_cast<std::size_t>(spheres), Instant<Real>{0, Real(never)});
   }
 }
 
@@ -173,7 +173,7 @@ template <int Dim, class Real>
 void ContactLaw<Dim, Real>::rotate(Collision<Dim, Real>& collision, const Vector& dv,
                                    const Real& inverse_masses) {
   const Vector after = dv - collision.change * inverse_masses;
-  for (int trial = 0; trial < kMostTrials; ++trial) {
+  for (int trial = 0; trial < most_trials; ++trial) {
     const Vector rotated = turned(after);
     if (!(dot(collision.impact.normal, rotated) > 0)) continue;
     collision.change = (dv - rotated) * Real(1 / inverse_masses);

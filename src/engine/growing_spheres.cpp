@@ -55,7 +55,7 @@ GrowingSpheres<Dim>::GrowingSpheres(std::span<const double> diameters,
 
 template <int Dim>
 typename GrowingSpheres<Dim>::Round GrowingSpheres<Dim>::advance(double rate, double full_size) {
-  constexpr std::int64_t kCollisionsPerSphere = 5;  // before the temperature is set again
+  constexpr std::int64_t collisions_a_sphere = 5;  // before the temperature is set again
   rescale_velocities();
   const double largest = 2 * *std::max_element(radii_.begin(), radii_.end());
   rate_ = rate;
@@ -65,7 +65,7 @@ typename GrowingSpheres<Dim>::Round GrowingSpheres<Dim>::advance(double rate, do
   const bool may_fill = time_left <= end;
   end = std::min(end, time_left);
   list_neighbours(rate * end);
-  const std::int64_t most = kCollisionsPerSphere * std::max(count(), 20) / 2;
+  const std::int64_t most = collisions_a_sphere * std::max(count(), 20) / 2;
   std::int64_t collisions = 0;
   for (std::int32_t i = 0; i < count(); ++i) predict(i);
   while (collisions < most) {

@@ -174,11 +174,11 @@ std::vector<Vec<Dim, double>> loose_packing(std::int32_t spheres, const ShearBox
     const std::vector<double> lengths(static_cast<std::size_t>(spheres), 1.0);
     return rod_places(lengths, box, random);
   } else {
-    constexpr double kDistance = 1.001;  // a little more than needed, so that the sweeps end
-    constexpr int kSweeps = 20000;
+    constexpr double least_distance = 1.001;  // a little more than needed, so that the sweeps end
+    constexpr int most_sweeps = 20000;
     Pushing<Dim> pushing(spheres, box, random);
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-      if (!pushing.sweep(kDistance)) return pushing.positions();
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+      if (!pushing.sweep(least_distance)) return pushing.positions();
     }
     throw std::invalid_argument("too dense for random places");
   }
