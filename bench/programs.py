@@ -6,12 +6,14 @@ format of its output alone: nothing here builds, fetches or contains one.
 """
 
 import bz2
+import contextlib
 import json
 import math
 import os
 import pathlib
 import re
 import shlex
+import signal
 import subprocess
 import tempfile
 from dataclasses import dataclass
@@ -146,6 +148,24 @@ def run_in(folder, words):
     return Output(text, usage.ru_utime, usage.ru_stime, folder)
 
 
+@contextlib.contextmanager
+def companions(count, words):
+    """Copies of a command, each over and over again, that keep other cores busy meanwhile."""
+    loop = f"while :; do {shlex.join(map(str, words))} > /dev/null 2>&1; done"
+    with contextlib.ExitStack() as folders:
+        loops = []
+        try:
+            for _ in range(count):
+                folder = folders.enter_context(tempfile.TemporaryDirectory())
+                loops.append(subprocess.Popen(["sh", "-c", loop], cwd=folder,
+                                              stdin=subprocess.DEVNULL, start_new_session=True))
+            yield
+        finally:
+            for one in loops:
+                os.killpg(one.pid, signal.SIGKILL)
+                one.wait()
+
+
 @dataclass(frozen=True)
 class Program:
     """A program under measurement."""
@@ -154,6 +174,7 @@ class Program:
     adapter: str
     command: str
     most_spheres: float = math.inf  # larger states are left out
+    copies: int = 1  # that run at once, of which one is measured
 
     @staticmethod
     def parse(text):
@@ -185,8 +206,10 @@ class Program:
 
     def run(self, state, warm_up, collisions, files):
         """One run of the command, understood."""
+        words = self.words(state, warm_up, collisions, files)
         with tempfile.TemporaryDirectory() as folder:
-            output = run_in(pathlib.Path(folder), self.words(state, warm_up, collisions, files))
+            with companions(self.copies - 1, words):
+                output = run_in(pathlib.Path(folder), words)
             try:
                 return READERS[self.adapter](output)
             except (OSError, EOFError, LookupError, ValueError, AttributeError,

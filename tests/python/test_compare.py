@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from processes import MOST_SECONDS
+from processes import MOST_SECONDS, wait_for
 
 BENCH = Path(__file__).resolve().parents[2] / "bench"
 sys.path.insert(0, str(BENCH))
@@ -157,3 +157,26 @@ def test_states_that_a_peer_cannot_run_are_left_out():
 def test_length_of_a_run_in_time_follows_the_collision_rate():
     # 10.07 collisions per sphere and time at phi = 0.3 (Enskog, Carnahan-Starling)
     assert ELASTIC.expected_time(2000 * 10.07) == pytest.approx(1, rel=1e-3)
+
+
+def is_running(process_id):
+    status = Path("/proc") / process_id / "stat"
+    try:
+        return status.read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def test_copies_run_at_once_and_end_with_the_one_that_is_measured(build, tmp_path):
+    started = tmp_path / "started"
+    started.mkdir()
+    peer = write_program(tmp_path / "peer", f"""\
+touch {started}/$$
+while [ $(ls {started} | wc -l) -lt 3 ]; do sleep 0.01; done
+echo '{{"collisions": 1000000, "user_seconds": 2.0}}'
+""")
+    done = compare(build, "--copies", "3", "--rounds", "1", "--state", "4000,0.3", "--peer",
+                   f"fake=bench:{peer}")
+    assert done.returncode == 0, done.stderr
+    assert "| fake | 0.500 (0.500-0.500) |" in done.stdout
+    wait_for(lambda: not any(is_running(path.name) for path in started.iterdir()))
