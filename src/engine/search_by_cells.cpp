@@ -56,10 +56,10 @@ SearchByCells<Dim, Real>::exit(const Spheres<Dim, Real>& spheres, std::int32_t i
   int axis_of_first = 0;
   for (int axis = 0; axis < Dim; ++axis) {
     const Real face = spheres.box().cell_width()[axis] * static_cast<int>(velocity[axis] > 0);
-    // Of what rests the time is infinite, or no number: it is not less.
-    const Real time = (face - in_cell[axis]) / velocity[axis];
-    axis_of_first += static_cast<int>(time < first) * (axis - axis_of_first);
-    first = time < first ? time : first;
+    const Real time = (face - in_cell[axis]) / velocity[axis];  // of what rests it is no time
+    const bool is_first = (time < first) & (velocity[axis] != 0);
+    axis_of_first += static_cast<int>(is_first) * (axis - axis_of_first);
+    first = is_first ? time : first;
   }
   const bool stays = !(first < std::numeric_limits<Real>::infinity());
   const int direction = velocity[axis_of_first] > 0 ? 1 : -1;

@@ -60,7 +60,7 @@ TEST(DiluteGas, HasListsWhereSpheresFallOrDifferMuch) {
 /// with flights of 2.4 in the mean, leave it far below 1e-9.
 TEST(DiluteGas, CollidesAsWithLists) {
   constexpr std::int32_t spheres = 500;
-  for (const double fraction : {0.02, 0.05, 0.1, 0.15}) {
+  for (const double fraction : {0.02, 0.05, 0.1, 0.15, 0.2, 0.25}) {
     for (const double shear_rate : {0.0, 1.0}) {
       Gas gas = gas_of(spheres, box_of(spheres, fraction, shear_rate), 0.9);
       Gas with_lists = gas_of(spheres, box_of(spheres, fraction, shear_rate, 1.5), 0.9);
@@ -70,6 +70,48 @@ TEST(DiluteGas, CollidesAsWithLists) {
       support::expect_like_collisions(gas, with_lists, 3 * spheres / 2, 1e-9);
     }
   }
+}
+
+/// The start of a gas in which two of three spheres rest, wholly or along one axis.
+State mostly_at_rest(std::int32_t spheres, const Vector& sides) {
+  State start = support::random_gas(spheres, sides, 1.5, 3);
+  for (int i = 0; i < spheres; ++i) {
+    auto& velocity = start.velocities[static_cast<std::size_t>(i)];
+    if (i % 3 == 0) velocity = {0, -0.0, 0};
+    if (i % 3 == 1) velocity[i % 9 / 3] = i % 2 == 0 ? 0.0 : -0.0;
+  }
+  return start;
+}
+
+TEST(DiluteGas, WhoseSpheresRestCollidesAsWithLists) {
+  constexpr std::int32_t spheres = 500;
+  for (const double shear_rate : {0.0, 1.0}) {
+    const Box box = box_of(spheres, 0.1, shear_rate);
+    const Box for_lists = box_of(spheres, 0.1, shear_rate, 1.5);
+    const State start = mostly_at_rest(spheres, box.sides());
+    Gas gas(box, start, {0.9});
+    Gas with_lists(for_lists, start, {0.9});
+    ASSERT_TRUE(gas.looks_by_cells());
+    support::expect_like_collisions(gas, with_lists, spheres, 1e-9);
+  }
+}
+
+TEST(DiluteGas, OfImmobileSpheresCollidesAsWithLists) {
+  constexpr std::int32_t spheres = 500;
+  State start = mostly_at_rest(spheres, box_of(spheres, 0.1, 0).sides());
+  for (int i = 0; i < spheres; ++i) start.grains.immobile.push_back(i % 3 == 0 ? 1 : 0);
+  Gas gas(box_of(spheres, 0.1, 0), start, {0.9});
+  Gas with_lists(box_of(spheres, 0.1, 0, 1.5), start, {0.9});
+  ASSERT_TRUE(gas.looks_by_cells());
+  support::expect_like_collisions(gas, with_lists, spheres, 1e-9);
+}
+
+TEST(DiluteGas, ThatIsColdIsStirredByShearAlone) {
+  const Box box = box_of(500, 0.05, 1);
+  State start = support::random_gas(500, box.sides(), 1.5, 3);
+  for (auto& velocity : start.velocities) velocity = {};
+  Gas gas(box, start, {0.9});
+  for (int n = 0; n < 1000; ++n) ASSERT_GT(support::next(gas).gap_before, -1e-9);
 }
 
 TEST(DiluteGas, OfDifferentSizesCollidesAsWithLists) {
