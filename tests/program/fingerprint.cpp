@@ -1,11 +1,13 @@
 // Prints a fingerprint of all bits of a run. Compiled several times with other flags: the outputs
 // must be the same.
 
+#include <array>
 #include <bit>
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
 
+#include "engine/list_range.hpp"
 #include "engine/simulation.hpp"
 #include "engine/start.hpp"
 #include "flow/measurements.hpp"
@@ -26,14 +28,17 @@ class Fingerprint {
 };
 
 template <int Dim>
-std::uint64_t fingerprint_of(Arrangement arrangement, double restitution) {
+std::uint64_t fingerprint_of(Arrangement arrangement, double restitution, double fraction = 0.3) {
   Vec<Dim, double> sides;
-  for (int axis = 0; axis < Dim; ++axis) sides[axis] = box_side<Dim>(500, 0.3);
+  std::array<double, Dim> filled;
+  filled.fill(box_side<Dim>(500, fraction));
+  for (int axis = 0; axis < Dim; ++axis) sides[axis] = filled[0];
+  const double width = fitting_cell_width({filled, 500});
   const auto start = make_start<Dim>(
       {.arrangement = arrangement, .spheres = 500, .granular_temperature = 0.1, .seed = 3},
-      ShearBox<Dim, double>(sides, 0));
+      ShearBox<Dim, double>(sides, 0, width));
   const double shear_rate = Dim > 1 ? 1 : 0;
-  Simulation<Dim, double> simulation(ShearBox<Dim, double>(sides, shear_rate), start,
+  Simulation<Dim, double> simulation(ShearBox<Dim, double>(sides, shear_rate, width), start,
                                      {restitution});
   Measurements<Dim, double> measurements(simulation, 0);
   Fingerprint fingerprint;
@@ -56,6 +61,7 @@ std::uint64_t fingerprint_of(Arrangement arrangement, double restitution) {
 int main() {
   for (const std::uint64_t fingerprint :
        {fingerprint_of<3>(Arrangement::random, 0.9), fingerprint_of<3>(Arrangement::fcc, 0.4),
+        fingerprint_of<3>(Arrangement::random, 0.9, 0.1),  // by cells, without lists
         fingerprint_of<2>(Arrangement::random, 0.9), fingerprint_of<1>(Arrangement::random, 1)}) {
     std::printf("%016" PRIx64 "\n", fingerprint);
   }
