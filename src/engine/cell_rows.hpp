@@ -20,9 +20,11 @@ class CellRows {
   using Reach = typename SlidingCells<Dim>::Reach;
   using Columns = typename SlidingCells<Dim>::Columns;
 
+  /// A run has so many cells at most.
+  static constexpr int most_in_run = 4;
   /// So many of the first cells of a row stand once more behind its end.
-  static constexpr int repeated = 4;
-  /// At most so many runs of up to four cells make up the rows beside a cell.
+  static constexpr int repeated = most_in_run - 1;
+  /// At most so many runs make up the rows beside a cell.
   static constexpr std::size_t most_runs = 3 * 3 * 2;
 
   /// \param cells  number of cells along each axis, along x more than `repeated`
@@ -51,13 +53,13 @@ class CellRows {
   /// The same of one layer.
   CellRun* in_layer(const SlidingCells<Dim>& cells, const Steps<Dim>& home, int layers,
                     const Columns& columns, CellRun* runs) const {
-    if (columns.to - columns.from >= 4) [[unlikely]]
-      return in_layer(cells, home, layers, {columns.from + 4, columns.to},
-                      in_layer(cells, home, layers, {columns.from, columns.from + 3}, runs));
-    const CellRun run = run_in_layer(cells, home, layers, columns);
-    for (int row = -aside_z; row <= aside_z; ++row) {
-      *runs++ = run.beyond(across(home, row));
+    if (columns.to - columns.from >= most_in_run) [[unlikely]] {
+      const int next = columns.from + most_in_run;
+      runs = in_layer(cells, home, layers, {columns.from, next - 1}, runs);
+      return in_layer(cells, home, layers, {next, columns.to}, runs);
     }
+    const CellRun run = run_in_layer(cells, home, layers, columns);
+    for (int row = -aside_z; row <= aside_z; ++row) *runs++ = run.beyond(across(home, row));
     return runs;
   }
   /// The same of one row of each layer.
@@ -66,8 +68,11 @@ class CellRows {
     const std::uint64_t across = this->across(home, row);
     for (int layers = -aside_y; layers <= aside_y; ++layers) {
       auto [from, to] = reach[static_cast<std::size_t>(layers + 1)];
-      for (; to - from >= 4; from += 4)
-        [[unlikely]]* runs++ = run_in_layer(cells, home, layers, {from, from + 3}).beyond(across);
+      if (to - from >= most_in_run) [[unlikely]] {  // five, of which four are a run
+        const Columns first{from, from + most_in_run - 1};
+        *runs++ = run_in_layer(cells, home, layers, first).beyond(across);
+        from += most_in_run;
+      }
       *runs++ = run_in_layer(cells, home, layers, {from, to}).beyond(across);
     }
     return runs;
@@ -79,6 +84,7 @@ class CellRows {
   static constexpr int aside_y = Dim > 1 ? 1 : 0;
   static constexpr int aside_z = Dim > 2 ? 1 : 0;
 
+  /// Of a layer up to four columns of the row at z = 0. A layer that has slid to
   /// Of a layer up to four columns of the row at z = 0. A layer that has slid to the right is met
   /// at a column further left.
   CellRun run_in_layer(const SlidingCells<Dim>& cells, const Steps<Dim>& home, int layers,

@@ -185,10 +185,9 @@ def test_hits_after_a_rounded_collapse_are_no_exact_contact(program):
     findings = {(a["run_hit"], a["finding"]) for a in result["approaches"]}
     assert "exact contact" not in {finding for _, finding in findings}
     assert (12680, "singular") in findings
-    before, later = (next(a for a in result["approaches"] if a["run_hit"] == hit)
-                     for hit in (12520, 12680))
-    assert len(set(before["spheres"]) & set(later["spheres"])) == 5
-    assert 12580 < later["followed_from"] < 12680
+    first = {a["run_hit"]: a for a in reversed(result["approaches"])}
+    assert len(set(first[12520]["spheres"]) & set(first[12680]["spheres"])) == 5
+    assert 12580 < first[12680]["followed_from"] < 12680
 
 
 def test_singular_approach_in_three_dimensions_is_enclosed_to_the_end_of_the_digits(program):
