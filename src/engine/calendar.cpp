@@ -72,7 +72,8 @@ bool Calendar<Real>::start_cycle() {
   const Real first = *std::min_element(times_.begin(), times_.end());
   if (!is_event(first)) return false;
   fit_bins(first);
-  opened_ = open_end_ = 0;
+  opened_ = 0;
+  open_end_ = std::min(bin_count_, std::int32_t{bins_in_group});  // the first group is empty
   for (std::size_t id = 0; id < times_.size(); ++id) {
     if (is_event(times_[id])) place(static_cast<std::int32_t>(id));
   }

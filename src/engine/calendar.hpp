@@ -97,7 +97,7 @@ class Calendar {
 
   bool is_void(const Event& event) const { return time(event.id) != event.time; }
   static bool is_before(const Event& a, const Event& b) {
-    return a.time < b.time || (a.time == b.time && a.id < b.id);
+    return (a.time < b.time) | ((a.time == b.time) & (a.id < b.id));
   }
   static bool is_after(const Event& a, const Event& b) { return is_before(b, a); }
 
