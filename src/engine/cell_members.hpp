@@ -30,6 +30,10 @@ class CellMembers {
     return find_members({places_.data(), next_.data()}, runs, found);
   }
 
+  Neighbour* find(ScatteredCells& cells, Neighbour* found) const {
+    return find_members({places_.data(), next_.data()}, cells, found);
+  }
+
   /// No cell has had more spheres.
   std::size_t most() const { return most_; }
 

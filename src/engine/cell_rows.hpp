@@ -77,6 +77,21 @@ class CellRows {
     }
     return runs;
   }
+  /// One cell of each of the rows around the cell at `home`, in a column of each layer.
+  ///
+  /// \param columns  of the layers below, beside and above, counted as those of a Reach
+  ScatteredCells one_of_each_row(const SlidingCells<Dim>& cells, const Steps<Dim>& home,
+                                 const std::array<int, 3>& columns) const {
+    ScatteredCells scattered;
+    for (int layers = -aside_y; layers <= aside_y; ++layers) {
+      const int column = columns[static_cast<std::size_t>(layers + 1)];
+      const CellRun run = run_in_layer(cells, home, layers, {column, column});
+      for (int row = -aside_z; row <= aside_z; ++row) {
+        scattered.add(run.beyond(across(home, row)).place);
+      }
+    }
+    return scattered;
+  }
 
  private:
   static constexpr std::uint64_t one_layer = std::uint64_t{1} << (32 + Neighbour::sphere_bits);
@@ -84,7 +99,6 @@ class CellRows {
   static constexpr int aside_y = Dim > 1 ? 1 : 0;
   static constexpr int aside_z = Dim > 2 ? 1 : 0;
 
-  /// Of a layer up to four columns of the row at z = 0. A layer that has slid to
   /// Of a layer up to four columns of the row at z = 0. A layer that has slid to the right is met
   /// at a column further left.
   CellRun run_in_layer(const SlidingCells<Dim>& cells, const Steps<Dim>& home, int layers,

@@ -61,9 +61,10 @@ void CellSearch<Dim>::prefetch(const SlidingCells<Dim>& cells, const Steps<Dim>&
 }
 
 template <int Dim>
-std::span<const Neighbour> CellSearch<Dim>::members_of(std::span<const CellRun> runs) const {
+template <class Cells>
+std::span<const Neighbour> CellSearch<Dim>::members_of(Cells&& cells) const {
   Neighbour* const begin = nearby_.data();
-  Neighbour* const end = members_.find(runs, begin);
+  Neighbour* const end = members_.find(cells, begin);
   if (end != begin) std::fill_n(end, 3, end[-1]);
   return {begin, end};
 }
@@ -72,28 +73,31 @@ template <int Dim>
 std::span<const Neighbour> CellSearch<Dim>::around(const SlidingCells<Dim>& cells,
                                                    const Steps<Dim>& home) const {
   Runs runs;
-  return members_of({runs.data(), rows_.around(cells, home, reach(cells, home), runs.data())});
+  return members_of(
+      std::span(runs.data(), rows_.around(cells, home, reach(cells, home), runs.data())));
 }
 
 template <int Dim>
 std::span<const Neighbour> CellSearch<Dim>::beyond(const SlidingCells<Dim>& cells,
                                                    const Crossing& crossing) const {
   const auto& [axis, direction, from, to] = crossing;
-  Reach reach = this->reach(cells, to);
+  const Reach reach = this->reach(cells, to);
+  if (axis == 0) {
+    std::array<int, 3> columns;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      columns[k] = direction > 0 ? reach[k].to : reach[k].from;
+    }
+    return members_of(rows_.one_of_each_row(cells, to, columns));
+  }
   Runs runs;
   CellRun* end = runs.data();
-  if (axis == 0) {
-    for (auto& columns : reach) {
-      columns.from = columns.to = direction > 0 ? columns.to : columns.from;
-    }
-    end = rows_.around(cells, to, reach, end);
-  } else if (axis == 1) {
+  if (axis == 1) {
     end = columns_behind(cells, crossing, reach, end);
     end = rows_.in_layer(cells, to, direction, reach[static_cast<std::size_t>(direction + 1)], end);
   } else {
     end = rows_.in_row(cells, to, direction, reach, end);
   }
-  return members_of({runs.data(), end});
+  return members_of(std::span(runs.data(), end));
 }
 
 /// Of the layer that a sphere has left it has seen the columns beside its own; with layers that
@@ -119,7 +123,7 @@ std::span<const Neighbour> CellSearch<Dim>::slid_near(const SlidingCells<Dim>& c
   const int column = reach(cells, home)[above + 1].from;
   Runs runs;
   return members_of(
-      {runs.data(), rows_.in_layer(cells, home, above, {column, column}, runs.data())});
+      std::span(runs.data(), rows_.in_layer(cells, home, above, {column, column}, runs.data())));
 }
 
 template <int Dim>

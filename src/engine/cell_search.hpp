@@ -40,6 +40,7 @@ class CellSearch {
 
   static bool has_room_in(const Steps<Dim>& cells);
   void displace_images() { slides_.images = true; }
+  bool has_slides() const { return slides_.layers || slides_.images; }
 
   void insert(std::int32_t sphere, const Steps<Dim>& cell);
   void remove(std::int32_t sphere, const Steps<Dim>& cell);
@@ -78,7 +79,9 @@ class CellSearch {
   using Runs = std::array<CellRun, CellRows<Dim>::most_runs>;
   CellRun* columns_behind(const SlidingCells<Dim>& cells, const Crossing& crossing,
                           const Reach& reach, CellRun* runs) const;
-  std::span<const Neighbour> members_of(std::span<const CellRun> runs) const;
+  /// \param cells  runs, or scattered ones
+  template <class Cells>
+  std::span<const Neighbour> members_of(Cells&& cells) const;
 
   void repeat(const Steps<Dim>& cell);
 

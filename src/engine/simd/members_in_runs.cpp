@@ -12,19 +12,15 @@ namespace {
 
 constexpr unsigned places_in_run = 8;
 
-/// The spheres of a run that have no place.
+/// The spheres that follow the one at a place.
 ///
-/// \param further  the places of those that they follow, as a set of bits
-[[gnu::noinline]] Neighbour* find_further(const MembersOfCells& members, const CellRun& run,
-                                          unsigned further, Neighbour* found) {
-  const std::uint32_t* const places = members.places + 2 * std::size_t{run.first()};
-  for (; further != 0; further &= further - 1) {
-    const std::uint32_t seen = places[std::countr_zero(further)] & CellPlace::seen;
-    const Neighbour before = Neighbour::from_packed(run.seen() + seen);
-    std::int32_t sphere = members.next[before.sphere()];
-    for (; sphere >= 0; sphere = members.next[sphere]) {
-      *found++ = Neighbour(sphere, before.periodic_image());
-    }
+/// \param seen  the periodic image of the cell, as a Neighbour without a number
+[[gnu::noinline]] Neighbour* find_further(const MembersOfCells& members, std::uint32_t place,
+                                          std::uint32_t seen, Neighbour* found) {
+  const Neighbour before = Neighbour::from_packed(seen + (place & CellPlace::seen));
+  std::int32_t sphere = members.next[before.sphere()];
+  for (; sphere >= 0; sphere = members.next[sphere]) {
+    *found++ = Neighbour(sphere, before.periodic_image());
   }
   return found;
 }
@@ -32,14 +28,12 @@ constexpr unsigned places_in_run = 8;
 Neighbour* find_one_by_one(const MembersOfCells& members, std::span<const CellRun> runs,
                            Neighbour* found) {
   for (const CellRun& run : runs) {
-    unsigned further = 0;
     for (unsigned k = 0; k < places_in_run; ++k) {
       const std::uint32_t place = members.places[2 * std::size_t{run.first()} + k];
       if ((run.left_out >> k & 1U) != 0 || (place & CellPlace::empty) != 0) continue;
       *found++ = Neighbour::from_packed(run.seen() + (place & CellPlace::seen));
-      if ((place & CellPlace::more) != 0) further |= 1U << k;
+      if ((place & CellPlace::more) != 0) found = find_further(members, place, run.seen(), found);
     }
-    if (further != 0) found = find_further(members, run, further, found);
   }
   return found;
 }
@@ -62,24 +56,60 @@ ZENOSPHERE_WIDE inline unsigned bits(__m256i lanes) {
   return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(lanes)));
 }
 
+/// Writes the spheres that have one of eight places, and then those that follow them.
+///
+/// \param seen      the periodic image of each place, as a Neighbour without a number
+/// \param left_out  which places count for nothing, as a set of bits
+ZENOSPHERE_WIDE inline Neighbour* find_in_eight(const MembersOfCells& members, __m256i places,
+                                                __m256i seen, unsigned left_out, Neighbour* found) {
+  left_out |= bits(places);
+  const __m256i what_is_seen = _mm256_set1_epi32(static_cast<int>(CellPlace::seen));
+  const __m256i here = _mm256_add_epi32(_mm256_and_si256(places, what_is_seen), seen);
+  const __m256i in_front = _mm256_cvtepu8_epi32(
+      _mm_loadl_epi64(reinterpret_cast<const __m128i*>(lanes_in_front[left_out].data())));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
+                      _mm256_permutevar8x32_epi32(here, in_front));
+  found += std::popcount(left_out ^ 0xFFU);
+  unsigned further = bits(_mm256_slli_epi32(places, 1)) & ~left_out;
+  if (further != 0) [[unlikely]] {
+    alignas(32) std::array<std::uint32_t, 8> eight;
+    alignas(32) std::array<std::uint32_t, 8> images;
+    _mm256_store_si256(reinterpret_cast<__m256i*>(eight.data()), places);
+    _mm256_store_si256(reinterpret_cast<__m256i*>(images.data()), seen);
+    for (; further != 0; further &= further - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(further));
+      found = find_further(members, eight[k], images[k], found);
+    }
+  }
+  return found;
+}
+
 ZENOSPHERE_WIDE Neighbour* find_wide(const MembersOfCells& members, std::span<const CellRun> runs,
                                      Neighbour* found) {
   const std::uint32_t* const all_places = members.places;
-  const __m256i what_is_seen = _mm256_set1_epi32(static_cast<int>(CellPlace::seen));
   for (const CellRun& run : runs) {
     const __m256i places = _mm256_loadu_si256(
         reinterpret_cast<const __m256i*>(all_places + 2 * std::size_t{run.first()}));
-    const unsigned left_out = bits(places) | run.left_out;
-    const __m256i here = _mm256_add_epi32(_mm256_and_si256(places, what_is_seen),
-                                          _mm256_set1_epi32(static_cast<int>(run.seen())));
-    const __m256i in_front = _mm256_cvtepu8_epi32(
-        _mm_loadl_epi64(reinterpret_cast<const __m128i*>(lanes_in_front[left_out].data())));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
-                        _mm256_permutevar8x32_epi32(here, in_front));
-    found += std::popcount(left_out ^ 0xFFU);
-    const unsigned further = bits(_mm256_slli_epi32(places, 1)) & ~left_out;
-    if (further != 0) [[unlikely]]
-      found = find_further(members, run, further, found);
+    found = find_in_eight(members, places, _mm256_set1_epi32(static_cast<int>(run.seen())),
+                          run.left_out, found);
+  }
+  return found;
+}
+
+ZENOSPHERE_WIDE Neighbour* find_wide(const MembersOfCells& members, const ScatteredCells& cells,
+                                     Neighbour* found) {
+  const auto places_of = [&](std::size_t k) {
+    return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(
+        members.places + 2 * std::size_t{static_cast<std::uint32_t>(cells.places[k])}));
+  };
+  for (std::size_t k = 0; k < cells.count; k += 4) {
+    const __m128i low = _mm_unpacklo_epi64(places_of(k), places_of(k + 1));
+    const __m128i high = _mm_unpacklo_epi64(places_of(k + 2), places_of(k + 3));
+    const __m256i four =
+        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(cells.places.data() + k));
+    const __m256i seen = _mm256_shuffle_epi32(four, 0b11'11'01'01);
+    found = find_in_eight(members, _mm256_set_m128i(high, low), seen,
+                          places_beyond(cells.count - k), found);
   }
   return found;
 }
@@ -94,6 +124,21 @@ Neighbour* find_members(const MembersOfCells& members, std::span<const CellRun> 
   if (has_wide_lanes()) return find_wide(members, runs, found);
 #endif
   return find_one_by_one(members, runs, found);
+}
+
+Neighbour* find_members(const MembersOfCells& members, ScatteredCells& cells, Neighbour* found) {
+#ifdef ZENOSPHERE_HAS_WIDE_LANES
+  if (has_wide_lanes()) {
+    // Four are read at once: those beyond the last count for nothing, but have to be cells.
+    for (std::size_t k = cells.count; k % 4 != 0; ++k) cells.places[k] = cells.places[k - 1];
+    return find_wide(members, cells, found);
+  }
+#endif
+  for (std::size_t k = 0; k < cells.count; ++k) {
+    const CellRun run = CellRun::of(cells.places[k], 1);
+    found = find_one_by_one(members, {&run, 1}, found);
+  }
+  return found;
 }
 
 }  // namespace zenosphere
