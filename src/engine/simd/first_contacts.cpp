@@ -120,28 +120,68 @@ ZENOSPHERE_WIDE inline unsigned bits(__m256d lanes) {
   return static_cast<unsigned>(_mm256_movemask_pd(lanes));
 }
 
-/// The first two of all lanes; or nothing where equal times do not tell which they are.
-ZENOSPHERE_WIDE inline std::optional<FirstContacts<double>> first_of_all(
-    const FirstTwoInLanes& lanes, int meetings, std::span<const Neighbour> neighbours) {
-  FirstContacts<double> two;
-  two.meetings = meetings;
-  if (meetings == 0) return two;
-  const __m256d first = least_of_all(lanes.first);
-  const __m256d is_first = _mm256_cmp_pd(lanes.first, first, _CMP_EQ_OQ);
-  two.first_time = _mm256_cvtsd_f64(first);
-  two.first = neighbours[number_at(lanes.first_is, bits(is_first))].sphere();
-  if (meetings == 1) return two;
-  const __m256d rest = _mm256_blendv_pd(lanes.first, lanes.second, is_first);
-  const __m256d rest_is = _mm256_blendv_pd(lanes.first_is, lanes.second_is, is_first);
-  const __m256d second = least_of_all(rest);
-  const unsigned is_second = bits(_mm256_cmp_pd(rest, second, _CMP_EQ_OQ));
-  two.second_time = _mm256_cvtsd_f64(second);
-  two.second = neighbours[number_at(rest_is, is_second)].sphere();
-  const bool is_tied = bits(lanes.ties) != 0 || !std::has_single_bit(bits(is_first)) ||
-                       !std::has_single_bit(is_second);
-  if (is_tied) [[unlikely]]
-    return std::nullopt;
-  return two;
+/// What the contact times of neighbours tell, as they are added.
+struct FoundContacts {
+  FirstTwoInLanes lanes;
+  __m256d overlaps;  ///< not zero where there is one
+  int meetings = 0;
+
+  ZENOSPHERE_WIDE FoundContacts() : overlaps(_mm256_setzero_pd()) {}
+
+  /// \param time     of four from now; infinity: they miss
+  /// \param numbers  which neighbours they are, as integers
+  ZENOSPHERE_WIDE void add(__m256d time, __m256d when, __m256i numbers) {
+    overlaps = _mm256_or_pd(overlaps, _mm256_cmp_pd(time, _mm256_setzero_pd(), _CMP_NGT_UQ));
+    const __m256d then = _mm256_add_pd(when, time);
+    meetings += std::popcount(bits(_mm256_cmp_pd(then, _mm256_set1_pd(no_contact), _CMP_LT_OQ)));
+    lanes.add(then, _mm256_castsi256_pd(numbers));
+  }
+
+  /// The first two; or nothing where one overlaps, or equal times do not tell which they are.
+  ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_two(
+      std::span<const Neighbour> neighbours) const {
+    if (bits(overlaps) != 0) [[unlikely]]
+      return std::nullopt;
+    FirstContacts<double> two;
+    two.meetings = meetings;
+    if (meetings == 0) return two;
+    const __m256d first = least_of_all(lanes.first);
+    const __m256d is_first = _mm256_cmp_pd(lanes.first, first, _CMP_EQ_OQ);
+    two.first_time = _mm256_cvtsd_f64(first);
+    two.first = neighbours[number_at(lanes.first_is, bits(is_first))].sphere();
+    if (meetings == 1) return two;
+    const __m256d rest = _mm256_blendv_pd(lanes.first, lanes.second, is_first);
+    const __m256d rest_is = _mm256_blendv_pd(lanes.first_is, lanes.second_is, is_first);
+    const __m256d second = least_of_all(rest);
+    const unsigned is_second = bits(_mm256_cmp_pd(rest, second, _CMP_EQ_OQ));
+    two.second_time = _mm256_cvtsd_f64(second);
+    two.second = neighbours[number_at(rest_is, is_second)].sphere();
+    const bool is_tied = bits(lanes.ties) != 0 || !std::has_single_bit(bits(is_first)) ||
+                         !std::has_single_bit(is_second);
+    if (is_tied) [[unlikely]]
+      return std::nullopt;
+    return two;
+  }
+};
+
+/// Of up to four neighbours.
+template <int Dim, class Sigmas>
+ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_of_few(
+    const Sphere<Dim, double>* spheres, std::span<const Neighbour> neighbours,
+    const Image<Dim, double>* images, const Viewpoint<Dim, double>& from, Sigmas& sigmas) {
+  const Approaches four = simd::approaches(spheres, neighbours.data(), images, from);
+  const __m256d sigma = sigmas.put(0, neighbours.data());
+  const __m256i numbers = _mm256_setr_epi64x(0, 1, 2, 3);
+  const __m256i size = _mm256_set1_epi64x(static_cast<std::int64_t>(neighbours.size()));
+  const __m256d candidates =
+      _mm256_and_pd(may_touch(four, sigma), _mm256_castsi256_pd(_mm256_cmpgt_epi64(size, numbers)));
+  FoundContacts found;
+  if (bits(candidates) != 0) {
+    const __m256d time = contact_times(four, sigma);
+    found.add(_mm256_blendv_pd(_mm256_set1_pd(no_contact), time, candidates),
+              _mm256_set1_pd(from.when), numbers);
+  }
+  return found.first_two(neighbours);
 }
 
 template <int Dim, class Sigmas>
@@ -149,6 +189,9 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
     const Sphere<Dim, double>* spheres, std::span<const Neighbour> neighbours,
     const Image<Dim, double>* images, const Viewpoint<Dim, double>& from, Sigmas& sigmas) {
   const std::size_t size = neighbours.size();
+  if (size == 0) [[unlikely]]
+    return FirstContacts<double>{};
+  if (size <= 4) return first_of_few(spheres, neighbours, images, from, sigmas);
   if (size > NumberedApproaches::most) return std::nullopt;
   NumberedApproaches approaches;
   std::uint64_t candidates = 0;
@@ -161,9 +204,7 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
   candidates &= (std::uint64_t{1} << size) - 1;
   approaches.put_no_neighbour();
   const __m256d when = _mm256_set1_pd(from.when);
-  FirstTwoInLanes lanes;
-  __m256d overlaps = _mm256_setzero_pd();
-  int meetings = 0;
+  FoundContacts found;
   while (candidates != 0) {
     std::array<std::size_t, 4> numbers;
     for (std::size_t& number : numbers) {
@@ -171,18 +212,12 @@ ZENOSPHERE_WIDE std::optional<FirstContacts<double>> first_contacts(
       number = static_cast<std::size_t>(std::countr_zero(candidates | no_neighbour));
       candidates &= candidates - 1;
     }
-    const __m256d time = contact_times(approaches.of(numbers), sigmas.of(numbers));
-    overlaps = _mm256_or_pd(overlaps, _mm256_cmp_pd(time, _mm256_setzero_pd(), _CMP_NGT_UQ));
-    const __m256d then = _mm256_add_pd(when, time);
-    meetings += std::popcount(bits(_mm256_cmp_pd(then, _mm256_set1_pd(no_contact), _CMP_LT_OQ)));
     const auto [i, j, k, l] = numbers;
-    lanes.add(then, _mm256_castsi256_pd(_mm256_set_epi64x(
-                        static_cast<std::int64_t>(l), static_cast<std::int64_t>(k),
-                        static_cast<std::int64_t>(j), static_cast<std::int64_t>(i))));
+    found.add(contact_times(approaches.of(numbers), sigmas.of(numbers)), when,
+              _mm256_set_epi64x(static_cast<std::int64_t>(l), static_cast<std::int64_t>(k),
+                                static_cast<std::int64_t>(j), static_cast<std::int64_t>(i)));
   }
-  if (bits(overlaps) != 0) [[unlikely]]
-    return std::nullopt;
-  return first_of_all(lanes, meetings, neighbours);
+  return found.first_two(neighbours);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 
 #include "engine/next_meetings.hpp"
 #include "engine/simd/wide_lanes.hpp"
+#include "support/bits.hpp"
 #include "support/gas.hpp"
 #include "support/sight.hpp"
 
@@ -19,9 +19,6 @@ namespace zenosphere {
 namespace {
 
 constexpr int some_images = 135;  // of PeriodicImage::count
-
-/// Same bits: -0 differs from 0.
-bool are_same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 template <class Dimension>
 class FirstContactsFourAtATime : public ::testing::Test {
@@ -105,8 +102,8 @@ TYPED_TEST(FirstContactsFourAtATime, AreThoseOfOneByOneBitForBit) {
     ASSERT_EQ(two->meetings, meetings);
     ASSERT_EQ(two->first, expected.first().partner());
     ASSERT_EQ(two->second, expected.second().partner());
-    ASSERT_TRUE(meetings < 1 || are_same(two->first_time, expected.first().time));
-    ASSERT_TRUE(meetings < 2 || are_same(two->second_time, expected.second().time));
+    ASSERT_TRUE(meetings < 1 || support::are_same(two->first_time, expected.first().time));
+    ASSERT_TRUE(meetings < 2 || support::are_same(two->second_time, expected.second().time));
   }
   EXPECT_GT(answers, 5000);
   EXPECT_GT(overlaps, 1000);
