@@ -49,14 +49,13 @@ NeighbourSearch<Dim, Real>::NeighbourSearch(const Spheres<Dim, Real>& spheres,
     return;
   }
   require_archived(cells_alone_suffice(spheres), "cells that are too wide to look in them");
-  cells_.emplace(spheres);
+  cells_.emplace(spheres, archive);
 }
 
-/// Without lists the cells tell all.
 template <int Dim, class Real>
 void NeighbourSearch<Dim, Real>::archive_to(ArchiveWriter& archive) const {
   archive(lists_.has_value());
-  if (lists_) lists_->archive_to(archive);
+  ask([&](const auto& search) { search.archive_to(archive); });
 }
 
 template <int Dim, class Real>

@@ -48,11 +48,11 @@ class NeighbourSearch {
     return ask([&](const auto& search) { return search.neighbour(spheres, i, j, when); });
   }
 
-  /// When the neighbours of a sphere have to be renewed, as foreseen at `when`; of a time after
-  /// `until` only that it is after it.
-  Real renewal_time(const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when,
-                    const Real& until) const {
-    return ask([&](const auto& search) { return search.renewal_time(spheres, i, when, until); });
+  /// Plans when the neighbours of a sphere have to be renewed, as foreseen at `when`; of a time
+  /// after `until` only that it is after it. Whenever a sphere has another velocity or cell.
+  Real plan_renewal(const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when,
+                    const Real& until) {
+    return ask([&](auto& search) { return search.plan_renewal(spheres, i, when, until); });
   }
 
   /// Renews the neighbours of a sphere at `when`. It may get another cell and frame.

@@ -42,7 +42,7 @@ void Predictor<Dim, Real>::find_meetings(const System<Dim, Real>& system, std::i
 }
 
 template <int Dim, class Real>
-void Predictor<Dim, Real>::add_meetings(const System<Dim, Real>& system, std::int32_t i,
+void Predictor<Dim, Real>::add_meetings(System<Dim, Real>& system, std::int32_t i,
                                         std::span<const Neighbour> neighbours) {
   const auto two = system.spheres.first_contacts(i, neighbours, system.clock.remainder());
   if (!two) {
@@ -180,10 +180,10 @@ void Predictor<Dim, Real>::shift_times(const Real& span) {
 }
 
 template <int Dim, class Real>
-void Predictor<Dim, Real>::schedule(const System<Dim, Real>& system, std::int32_t i) {
+void Predictor<Dim, Real>::schedule(System<Dim, Real>& system, std::int32_t i) {
   const Real& meeting = pending(i).first().time;
   calendar_.schedule(
-      i, std::min(meeting, system.search.renewal_time(system.spheres, i, system.clock.remainder(),
+      i, std::min(meeting, system.search.plan_renewal(system.spheres, i, system.clock.remainder(),
                                                       meeting)));
 }
 

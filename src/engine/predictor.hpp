@@ -46,10 +46,10 @@ class Predictor {
   /// Finds the next meetings of a sphere that is stored as it is now.
   void find_meetings(const System<Dim, Real>& system, std::int32_t i);
   /// Adds the meetings with new neighbours to those that are known, and schedules the first event.
-  void add_meetings(const System<Dim, Real>& system, std::int32_t i,
+  void add_meetings(System<Dim, Real>& system, std::int32_t i,
                     std::span<const Neighbour> neighbours);
   /// Puts the first event of a sphere into the calendar.
-  void schedule(const System<Dim, Real>& system, std::int32_t i);
+  void schedule(System<Dim, Real>& system, std::int32_t i);
   /// Puts the first meeting of a sphere into the calendar, or an earlier time: its list need not be
   /// rebuilt before.
   void schedule_by(std::int32_t i, const Real& latest) {

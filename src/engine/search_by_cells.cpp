@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <type_traits>
 
@@ -13,13 +14,27 @@ namespace zenosphere {
 template <int Dim, class Real>
 SearchByCells<Dim, Real>::SearchByCells(const Spheres<Dim, Real>& spheres)
     : search_(spheres.cells().cells(), spheres.count(),
-              {spheres.box().is_sheared(), spheres.sliding_box().has_displaced_images()}) {
+              {spheres.box().is_sheared(), spheres.sliding_box().has_displaced_images()}),
+      exits_(static_cast<std::size_t>(spheres.count())) {
   double widest = 0;
   for (int axis = 0; axis < Dim; ++axis) {
-    widest = std::max(widest, static_cast<double>(spheres.box().cell_width()[axis]));
+    const Real& width = spheres.box().cell_width()[axis];
+    widths_[static_cast<std::size_t>(axis)] = width;
+    widest = std::max(widest, static_cast<double>(width));
   }
   reach_ = widest / 2;
   for (std::int32_t i = 0; i < spheres.count(); ++i) search_.insert(i, spheres.home(i));
+}
+
+template <int Dim, class Real>
+SearchByCells<Dim, Real>::SearchByCells(const Spheres<Dim, Real>& spheres, ArchiveReader& archive)
+    : SearchByCells(spheres) {
+  archive(exits_);
+  require_archived(exits_.size() == static_cast<std::size_t>(spheres.count()),
+                   "faces of another number of spheres");
+  for (const std::int8_t exit : exits_) {
+    require_archived(exit >= -Dim && exit <= Dim, "a face that there is not");
+  }
 }
 
 template <int Dim, class Real>
@@ -30,57 +45,38 @@ Neighbour SearchByCells<Dim, Real>::neighbour(const Spheres<Dim, Real>& spheres,
   return periodic_image ? Neighbour(j, *periodic_image) : spheres.nearest_image(i, j, when);
 }
 
-/// Where a sphere is at `when`, from the lower corner of its cell.
 template <int Dim, class Real>
-[[gnu::always_inline]] inline Vec<Dim, Real> SearchByCells<Dim, Real>::place_in_cell(
+[[gnu::always_inline]] inline NextFace<Real> SearchByCells<Dim, Real>::next_face(
     const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when) const {
-  const auto& sphere = spheres[i];
-  const Steps<Dim> cell = spheres.home(i);
-  Vector place = sphere.position + sphere.velocity * (when - sphere.time);  // none falls
-  for (int axis = 0; axis < Dim; ++axis) {
-    place[axis] -= cell[static_cast<std::size_t>(axis)] * spheres.box().cell_width()[axis];
+  if constexpr (std::is_same_v<Real, double>) {
+    if (lanes_are_wide_) return next_face_wide<Dim>(spheres[i], spheres.home(i), widths_, when);
   }
-  return place;
-}
-
-/// The first face ahead of a sphere. Which one it is, is as good as random: at each branch a
-/// processor would guess wrong.
-///
-/// \param in_cell  its place from the lower corner of its cell
-template <int Dim, class Real>
-[[gnu::always_inline]] inline typename SearchByCells<Dim, Real>::Exit
-SearchByCells<Dim, Real>::exit(const Spheres<Dim, Real>& spheres, std::int32_t i,
-                               const Vector& in_cell) const {
-  const Vector& velocity = spheres[i].velocity;
-  Real first = std::numeric_limits<Real>::infinity();
-  int axis_of_first = 0;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const Real face = spheres.box().cell_width()[axis] * static_cast<int>(velocity[axis] > 0);
-    const Real time = (face - in_cell[axis]) / velocity[axis];  // of what rests it is no time
-    const bool is_first = (time < first) & (velocity[axis] != 0);
-    axis_of_first += static_cast<int>(is_first) * (axis - axis_of_first);
-    first = is_first ? time : first;
-  }
-  const bool stays = !(first < std::numeric_limits<Real>::infinity());
-  const int direction = velocity[axis_of_first] > 0 ? 1 : -1;
-  return {std::max(Real(0), first), axis_of_first, stays ? 0 : direction};
+  return zenosphere::next_face<Dim>(spheres[i], spheres.home(i), widths_, when);
 }
 
 template <int Dim, class Real>
-Real SearchByCells<Dim, Real>::renewal_time(const Spheres<Dim, Real>& spheres, std::int32_t i,
-                                            const Real& when, const Real& until) const {
-  const Vector in_cell = place_in_cell(spheres, i, when);
+Real SearchByCells<Dim, Real>::plan_renewal(const Spheres<Dim, Real>& spheres, std::int32_t i,
+                                            const Real& when, const Real& until) {
+  std::int8_t& exit = exits_[static_cast<std::size_t>(i)];
   if constexpr (!std::is_floating_point_v<Real>) {  // dear numbers: most need no division
-    const Vector then = in_cell + spheres[i].velocity * (until - when);
+    const Steps<Dim> cell = spheres.home(i);
+    const Vector then = spheres.position_at(i, until);
     bool stays = true;
-    for (int axis = 0; axis < Dim; ++axis) {
-      stays = stays && then[axis] >= 0 && then[axis] <= spheres.box().cell_width()[axis];
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      const Real in_cell = then[static_cast<int>(axis)] - cell[axis] * widths_[axis];
+      stays = stays && in_cell >= 0 && in_cell <= widths_[axis];
     }
-    if (stays) return std::numeric_limits<Real>::infinity();
+    if (stays) {
+      exit = 0;
+      return std::numeric_limits<Real>::infinity();
+    }
   }
-  return when + exit(spheres, i, in_cell).time;
+  const NextFace<Real> next = next_face(spheres, i, when);
+  exit = static_cast<std::int8_t>(next.direction * (next.axis + 1));
+  return when + next.time;
 }
 
+/// Which face it is, is known beforehand: a processor that has to wait for it guesses wrong.
 /// Its place decides nothing but the column of another layer, and that within those that are seen
 /// from here: so rounding leads nowhere else.
 template <int Dim, class Real>
@@ -88,19 +84,22 @@ std::span<const Neighbour> SearchByCells<Dim, Real>::renew(Spheres<Dim, Real>& s
                                                            std::int32_t i, const Real& when,
                                                            const Real& /*meeting*/) {
   const SlidingCells<Dim>& cells = spheres.cells();
-  const Exit exit = this->exit(spheres, i, place_in_cell(spheres, i, when));
-  if (exit.direction == 0) return {};
+  const int exit = exits_[static_cast<std::size_t>(i)];
+  if (exit == 0) return {};
+  const int axis = std::abs(exit) - 1;
+  const int direction = exit > 0 ? 1 : -1;
   const Steps<Dim> from = spheres.home(i);
   Steps<Dim> to = from;
   Steps<Dim> periods{};
-  const auto a = static_cast<std::size_t>(exit.axis);
-  const auto wrap = [&](std::size_t axis) {
-    const int count = cells.cells()[axis];
-    for (; to[axis] < 0; to[axis] += count) --periods[axis];
-    for (; to[axis] >= count; to[axis] -= count) ++periods[axis];
+  const auto a = static_cast<std::size_t>(axis);
+  const auto wrap = [&](std::size_t along) {
+    const int count = cells.cells()[along];
+    for (; to[along] < 0; to[along] += count) --periods[along];
+    for (; to[along] >= count; to[along] -= count) ++periods[along];
   };
-  const int layers = exit.axis == 1 ? exit.direction : 0;
-  to[a] += exit.direction;
+  // Without slides all layers have one frame.
+  const int layers = search_.has_slides() && axis == 1 ? direction : 0;
+  to[a] += direction;
   wrap(a);
   if constexpr (Dim > 1) {
     if (layers != 0) {
@@ -111,7 +110,7 @@ std::span<const Neighbour> SearchByCells<Dim, Real>::renew(Spheres<Dim, Real>& s
   search_.remove(i, from);
   search_.insert(i, to);
   spheres.enter(i, cells.index(to), PeriodicImage(periods, layers));
-  const auto fresh = search_.beyond(cells, {exit.axis, exit.direction, from, to});
+  const auto fresh = search_.beyond(cells, {axis, direction, from, to});
   is_crowded_ = is_crowded_ || fresh.size() > most_beyond_face;
   return fresh;
 }

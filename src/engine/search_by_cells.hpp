@@ -1,10 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/cell_search.hpp"
+#include "engine/prefetching.hpp"
+#include "engine/simd/next_face.hpp"
+#include "engine/simd/wide_lanes.hpp"
 #include "engine/spheres.hpp"
+#include "model/archive.hpp"
 
 namespace zenosphere {
 
@@ -18,6 +24,9 @@ class SearchByCells {
   using Vector = Vec<Dim, Real>;
 
   explicit SearchByCells(const Spheres<Dim, Real>& spheres);
+  /// As an archive has it. Throws ArchiveError where it cannot be.
+  SearchByCells(const Spheres<Dim, Real>& spheres, ArchiveReader& archive);
+  void archive_to(ArchiveWriter& archive) const { archive(exits_); }
 
   std::span<const Neighbour> neighbours(const Spheres<Dim, Real>& spheres, std::int32_t i) const {
     return search_.around(spheres.cells(), spheres.home(i));
@@ -25,10 +34,11 @@ class SearchByCells {
   Neighbour neighbour(const Spheres<Dim, Real>& spheres, std::int32_t i, std::int32_t j,
                       const Real& when) const;
 
-  /// When a sphere leaves its cell: of a time after `until` only that it is after it.
-  Real renewal_time(const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when,
-                    const Real& until) const;
-  /// Lets a sphere cross the face that it has come to.
+  /// Notes through which face a sphere leaves its cell, and tells when: of a time after `until`
+  /// only that it is after it.
+  Real plan_renewal(const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when,
+                    const Real& until);
+  /// Lets a sphere cross the face that it has come to, as planned.
   ///
   /// \return  those that it has not seen before
   std::span<const Neighbour> renew(Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when,
@@ -42,7 +52,7 @@ class SearchByCells {
   }
   void shift_times(const Spheres<Dim, Real>&, const Real&) {}
 
-  void prefetch(std::int32_t) const {}
+  void prefetch(std::int32_t i) const { prefetch_line(&exits_[static_cast<std::size_t>(i)]); }
   void prefetch_around(const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when) const;
 
   /// Half the width of a cell, diameters.
@@ -52,18 +62,17 @@ class SearchByCells {
   bool is_crowded() const { return is_crowded_; }
 
  private:
-  /// Through which face a sphere leaves its cell.
-  struct Exit {
-    Real time;  ///< from now
-    int axis;
-    int direction;  ///< 0: it stays
-  };
-  Vector place_in_cell(const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when) const;
-  Exit exit(const Spheres<Dim, Real>& spheres, std::int32_t i, const Vector& in_cell) const;
+  NextFace<Real> next_face(const Spheres<Dim, Real>& spheres, std::int32_t i,
+                           const Real& when) const;
   int column_beyond(const Spheres<Dim, Real>& spheres, std::int32_t i, int layers, int periods,
                     const Real& when) const;
 
   CellSearch<Dim> search_;
+  /// Through which face each sphere leaves its cell: 1 + its axis, below zero towards smaller
+  /// coordinates; 0: it stays.
+  std::vector<std::int8_t> exits_;
+  CellWidths<Real> widths_{};
+  bool lanes_are_wide_ = has_wide_lanes();  ///< faces of all axes are looked at at once
   double reach_ = 0;
   bool is_crowded_ = false;
 };

@@ -44,7 +44,7 @@ Neighbour SearchByLists<Dim, Real>::not_listed_first(const Spheres<Dim, Real>& s
 }
 
 template <int Dim, class Real>
-Real SearchByLists<Dim, Real>::renewal_time(const Spheres<Dim, Real>& spheres, std::int32_t i,
+Real SearchByLists<Dim, Real>::plan_renewal(const Spheres<Dim, Real>& spheres, std::int32_t i,
                                             const Real& when, const Real& until) const {
   const Vector velocity = spheres.velocity_at(i, when);
   const Vector away = from_middle(spheres, i, spheres.position_at(i, when));

@@ -41,7 +41,7 @@ class SearchByLists {
   Neighbour neighbour(const Spheres<Dim, Real>& spheres, std::int32_t i, std::int32_t j,
                       const Real& when) const;
 
-  Real renewal_time(const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when,
+  Real plan_renewal(const Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when,
                     const Real& until) const;
   /// \param meeting  the next one, as far as is known: where its reference position should be
   std::span<const Neighbour> renew(Spheres<Dim, Real>& spheres, std::int32_t i, const Real& when,

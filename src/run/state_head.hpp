@@ -14,7 +14,7 @@
 namespace zenosphere {
 
 /// What the state of a checkpoint holds; to be raised whenever that changes.
-inline constexpr std::uint32_t checkpoint_version = 14 + log_version;
+inline constexpr std::uint32_t checkpoint_version = 15 + log_version;
 
 /// Begins the state of a checkpoint.
 template <int Dim, class Real>

@@ -4,9 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "engine/list_range.hpp"
 #include "engine/simulation.hpp"
 #include "engine/start.hpp"
 #include "model/archive.hpp"
+#include "support/gas.hpp"
 
 namespace zenosphere {
 namespace {
@@ -115,6 +117,27 @@ TYPED_TEST(ArchivedState, SpheresThatFallBetweenWallsGoOnBitForBit) {
 }
 
 // One that goes on from an archive has prefetched nothing yet, and is asked to prefetch more.
+TEST(DiluteGas, GoesOnBitForBit) {
+  const double side = 17.4;  // solids volume fraction 0.1: spheres are looked for by cells
+  const Vec<3, double> sides{{side, side, side}};
+  for (const double shear_rate : {0.0, 1.0}) {
+    const double width = fitting_cell_width({sides.components, 1000});
+    const ShearBox<3, double> box(sides, shear_rate, width);
+    const ContactRules<double> rules{0.9};
+    Simulation<3, double> gas(box, support::random_gas(1000, sides, 1, 3), rules);
+    run(gas, 1500);
+    const Bytes bytes = archived(gas);
+    ArchiveReader archive(bytes);
+    Simulation<3, double> again(box, rules, {}, archive);
+    archive.require_end();
+    ASSERT_EQ(archived(again), bytes);
+    run(gas, 1500);
+    run(again, 1500);
+    ASSERT_EQ(archived(again), archived(gas));
+    EXPECT_EQ(again.rebuilds(), gas.rebuilds());
+  }
+}
+
 TEST(LargeSystem, WhatIsFetchedAheadLeavesNoTrace) {
   using Gas = Simulation<3, double>;
   constexpr std::int32_t spheres = 4 * 18 * 18 * 18;

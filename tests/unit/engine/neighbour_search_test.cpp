@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/archive.hpp"
 #include "support/gas.hpp"
 
 namespace zenosphere {
@@ -119,6 +120,38 @@ TEST(NeighbourSearch, LooksByCellsInADiluteGasUntilItIsACrowd) {
   expect_close_ones_seen(crowd, start, sides);
 }
 
+TEST(NeighbourSearch, RefusesArchivedFacesThatThereAreNot) {
+  const double side = 17.4;
+  const Vec<3, double> sides{{side, side, side}};
+  const ShearBox<3, double> box(sides, 1, fitting_cell_width({sides.components, 1000}));
+  Crowd<3> crowd(box, support::random_gas(1000, sides, 1, 3));
+  ASSERT_TRUE(crowd.search.looks_by_cells());
+  for (std::int32_t i = 0; i < 1000; ++i) crowd.search.plan_renewal(crowd.spheres, i, 0, never);
+  ArchiveWriter writer;
+  crowd.search.archive_to(writer);
+  const auto is_refused = [&](const Bytes& bytes) {
+    try {
+      ArchiveReader archive(bytes);
+      const NeighbourSearch<3, double> search(crowd.spheres, archive);
+      archive.require_end();
+      return false;
+    } catch (const ArchiveError&) {
+      return true;
+    }
+  };
+  const Bytes bytes = writer.release();
+  EXPECT_FALSE(is_refused(bytes));
+  for (const int face : {-128, -4, 4, 127}) {
+    Bytes changed = bytes;
+    changed.back() = static_cast<std::uint8_t>(face);
+    EXPECT_TRUE(is_refused(changed));
+  }
+  Bytes longer = bytes;
+  ++longer[1];  // their number begins behind what tells that there are no lists
+  longer.push_back(0);
+  EXPECT_TRUE(is_refused(longer));
+}
+
 /// Rods that fly on together at a speed of 2, so far apart, around a ring.
 class FlyingRods {
  public:
@@ -127,8 +160,8 @@ class FlyingRods {
         list_range(list_range_in(box, count)),
         rods(box, start(count)) {}
 
-  double renewal_time(std::int32_t i, double when) const {
-    return rods.search.renewal_time(rods.spheres, i, when, never);
+  double renewal_time(std::int32_t i, double when) {
+    return rods.search.plan_renewal(rods.spheres, i, when, never);
   }
   void renew(std::int32_t i, double when, double meeting) {
     rods.search.renew(rods.spheres, i, when, meeting);
@@ -185,8 +218,8 @@ TEST(NeighbourSearch, GivesASphereTheCellOfItsReferencePosition) {
 
 TEST(NeighbourSearch, RenewsAListHalfAUnitOfShearLater) {
   const ShearBox<2, double> box({20, 20}, 0.5, 2);
-  const Crowd<2> crowd(box, {{{5, 10}}, {{0, 0}}});
-  EXPECT_NEAR(crowd.search.renewal_time(crowd.spheres, 0, 0, never), box.clock_unit() / 2, 1e-6);
+  Crowd<2> crowd(box, {{{5, 10}}, {{0, 0}}});
+  EXPECT_NEAR(crowd.search.plan_renewal(crowd.spheres, 0, 0, never), box.clock_unit() / 2, 1e-6);
 }
 
 TEST(NeighbourSearch, FindsNobodyBeyondTheWallsHoweverNarrowTheBox) {
