@@ -77,6 +77,7 @@ class CellRows {
     }
     return runs;
   }
+
   /// One cell of each of the rows around the cell at `home`, in a column of each layer.
   ///
   /// \param columns  of the layers below, beside and above, counted as those of a Reach

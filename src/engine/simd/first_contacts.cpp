@@ -116,10 +116,6 @@ ZENOSPHERE_WIDE inline std::size_t number_at(__m256d numbers, unsigned bit) {
   return static_cast<std::size_t>(four[std::countr_zero(bit)]);
 }
 
-ZENOSPHERE_WIDE inline unsigned bits(__m256d lanes) {
-  return static_cast<unsigned>(_mm256_movemask_pd(lanes));
-}
-
 /// What the contact times of neighbours tell, as they are added.
 struct FoundContacts {
   FirstTwoInLanes lanes;

@@ -52,17 +52,13 @@ constexpr auto lanes_in_front = [] {
   return lanes;
 }();
 
-ZENOSPHERE_WIDE inline unsigned bits(__m256i lanes) {
-  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(lanes)));
-}
-
 /// Writes the spheres that have one of eight places, and then those that follow them.
 ///
 /// \param seen      the periodic image of each place, as a Neighbour without a number
 /// \param left_out  which places count for nothing, as a set of bits
 ZENOSPHERE_WIDE inline Neighbour* find_in_eight(const MembersOfCells& members, __m256i places,
                                                 __m256i seen, unsigned left_out, Neighbour* found) {
-  left_out |= bits(places);
+  left_out |= simd::bits(places);
   const __m256i what_is_seen = _mm256_set1_epi32(static_cast<int>(CellPlace::seen));
   const __m256i here = _mm256_add_epi32(_mm256_and_si256(places, what_is_seen), seen);
   const __m256i in_front = _mm256_cvtepu8_epi32(
@@ -70,7 +66,7 @@ ZENOSPHERE_WIDE inline Neighbour* find_in_eight(const MembersOfCells& members, _
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(found),
                       _mm256_permutevar8x32_epi32(here, in_front));
   found += std::popcount(left_out ^ 0xFFU);
-  unsigned further = bits(_mm256_slli_epi32(places, 1)) & ~left_out;
+  unsigned further = simd::bits(_mm256_slli_epi32(places, 1)) & ~left_out;
   if (further != 0) [[unlikely]] {
     alignas(32) std::array<std::uint32_t, 8> eight;
     alignas(32) std::array<std::uint32_t, 8> images;

@@ -11,10 +11,6 @@ namespace zenosphere {
 
 namespace {
 
-ZENOSPHERE_WIDE inline unsigned bits(__m256d lanes) {
-  return static_cast<unsigned>(_mm256_movemask_pd(lanes));
-}
-
 /// The coordinates of a cell; 0 beyond the last axis.
 template <int Dim>
 ZENOSPHERE_WIDE inline __m256d coordinates(const Steps<Dim>& cell) {
@@ -43,10 +39,10 @@ ZENOSPHERE_WIDE NextFace<double> find_next_face(const Sphere<Dim, double>& spher
   const __m256d of_axes = _mm256_blend_pd(never, _mm256_blendv_pd(time, never, rests), axes);
   __m256d first = _mm256_min_pd(of_axes, _mm256_permute2f128_pd(of_axes, of_axes, 1));
   first = _mm256_min_pd(first, _mm256_permute_pd(first, 0b0101));
-  const int axis = std::countr_zero(bits(_mm256_cmp_pd(of_axes, first, _CMP_EQ_OQ)));
+  const int axis = std::countr_zero(simd::bits(_mm256_cmp_pd(of_axes, first, _CMP_EQ_OQ)));
   const double time_of_first = _mm256_cvtsd_f64(_mm256_max_pd(first, zero));
   const int leaves = static_cast<int>(time_of_first < std::numeric_limits<double>::infinity());
-  const int sign = static_cast<int>(bits(is_forward) >> axis & 1U) * 2 - 1;
+  const int sign = static_cast<int>(simd::bits(is_forward) >> axis & 1U) * 2 - 1;
   return {time_of_first, axis * leaves, sign * leaves};
 }
 

@@ -21,4 +21,18 @@ inline bool has_wide_lanes() {
 #endif
 }
 
+#ifdef ZENOSPHERE_HAS_WIDE_LANES
+namespace simd {
+
+/// The highest bit of each lane, as a set of bits.
+ZENOSPHERE_WIDE inline unsigned bits(__m256d lanes) {
+  return static_cast<unsigned>(_mm256_movemask_pd(lanes));
+}
+ZENOSPHERE_WIDE inline unsigned bits(__m256i lanes) {
+  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(lanes)));
+}
+
+}  // namespace simd
+#endif
+
 }  // namespace zenosphere
