@@ -74,12 +74,6 @@ class NumberedSigmas {
   alignas(32) double sigma_[64];
 };
 
-/// The least of four, in all lanes.
-ZENOSPHERE_WIDE inline __m256d least_of_all(__m256d lanes) {
-  lanes = _mm256_min_pd(lanes, _mm256_permute2f128_pd(lanes, lanes, 1));
-  return _mm256_min_pd(lanes, _mm256_permute_pd(lanes, 0b0101));
-}
-
 /// The first two in each lane, and the numbers they go by.
 struct FirstTwoInLanes {
   __m256d first, second;        ///< times

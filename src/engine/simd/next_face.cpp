@@ -34,11 +34,11 @@ ZENOSPHERE_WIDE NextFace<double> find_next_face(const Sphere<Dim, double>& spher
   const __m256d in_cell = _mm256_sub_pd(place, _mm256_mul_pd(coordinates<Dim>(cell), width));
   const __m256d is_forward = _mm256_cmp_pd(velocity, zero, _CMP_GT_OQ);
   const __m256d face = _mm256_and_pd(width, is_forward);
-  const __m256d rests = _mm256_cmp_pd(velocity, zero, _CMP_EQ_OQ);
   const __m256d time = _mm256_div_pd(_mm256_sub_pd(face, in_cell), velocity);
-  const __m256d of_axes = _mm256_blend_pd(never, _mm256_blendv_pd(time, never, rests), axes);
-  __m256d first = _mm256_min_pd(of_axes, _mm256_permute2f128_pd(of_axes, of_axes, 1));
-  first = _mm256_min_pd(first, _mm256_permute_pd(first, 0b0101));
+  const __m256d is_none = _mm256_or_pd(_mm256_cmp_pd(velocity, zero, _CMP_EQ_OQ),
+                                       _mm256_cmp_pd(time, time, _CMP_UNORD_Q));
+  const __m256d of_axes = _mm256_blend_pd(never, _mm256_blendv_pd(time, never, is_none), axes);
+  const __m256d first = simd::least_of_all(of_axes);
   const int axis = std::countr_zero(simd::bits(_mm256_cmp_pd(of_axes, first, _CMP_EQ_OQ)));
   const double time_of_first = _mm256_cvtsd_f64(_mm256_max_pd(first, zero));
   const int leaves = static_cast<int>(time_of_first < std::numeric_limits<double>::infinity());

@@ -32,6 +32,12 @@ ZENOSPHERE_WIDE inline unsigned bits(__m256i lanes) {
   return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(lanes)));
 }
 
+/// The least of four, in all lanes.
+ZENOSPHERE_WIDE inline __m256d least_of_all(__m256d lanes) {
+  lanes = _mm256_min_pd(lanes, _mm256_permute2f128_pd(lanes, lanes, 1));
+  return _mm256_min_pd(lanes, _mm256_permute_pd(lanes, 0b0101));
+}
+
 }  // namespace simd
 #endif
 

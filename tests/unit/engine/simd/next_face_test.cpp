@@ -20,16 +20,17 @@ class NextFaceOfASphere : public ::testing::Test {
   static constexpr int Dim = Dimension::value;
 
   /// A sphere in a cell, or a little outside, as rounding can put it; on some axes it rests, or is
-  /// about to, or is on a face.
+  /// about to, or is on a face, or nowhere.
   Sphere<Dim, double> some_sphere(const Steps<Dim>& cell) {
     constexpr double tiny = std::numeric_limits<double>::denorm_min();
     Sphere<Dim, double> sphere{};
     sphere.time = dice.between(0, 1);
     for (int axis = 0; axis < Dim; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      const double places[] = {0, 1, -1e-15, dice.between(0, 1), dice.between(0, 1)};
+      constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+      const double places[] = {0, 1, -1e-15, dice.between(0, 1), dice.between(0, 1), nowhere};
       const double speeds[] = {0, -0.0, tiny, -tiny, 1, -1, dice.between(-2, 2)};
-      sphere.position[axis] = (cell[a] + places[dice.below(5)]) * widths[a];
+      sphere.position[axis] = (cell[a] + places[dice.below(6)]) * widths[a];
       sphere.velocity[axis] = speeds[dice.below(7)];
     }
     return sphere;
