@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
+#include "engine/simd/places_in_order.hpp"
+#include "engine/simd/wide_lanes.hpp"
 #include "model/instantiate.hpp"
 
 namespace zenosphere {
@@ -23,7 +26,8 @@ Calendar<Real>::Calendar(std::int32_t size)
     : times_(static_cast<std::size_t>(size), std::numeric_limits<Real>::infinity()),
       bin_count_(size),
       bins_(std::min(bins_in_group, std::bit_ceil(static_cast<std::uint32_t>(size)))),
-      groups_(static_cast<std::size_t>(size) / bins_in_group + 1) {
+      groups_(static_cast<std::size_t>(size) / bins_in_group + 1),
+      lanes_are_wide_(has_wide_lanes()) {
   end_cycle();
 }
 
@@ -57,8 +61,7 @@ template <class Real>
 void Calendar<Real>::end_cycle() {
   for (Bin& bin : bins_) bin.size = 0;
   for (Group& group : groups_) group.clear();
-  line_.clear();
-  next_ = 0;
+  next_ = line_end_ = 0;
   heap_.clear();
   entries_ = 0;
   opened_ = open_end_ = bin_count_;
@@ -165,25 +168,55 @@ template <class Real>
 void Calendar<Real>::open_bin() {
   if (opened_ == open_end_) open_group();
   Bin& bin = this->bin(opened_);
-  line_.erase(line_.begin(), line_.begin() + static_cast<std::ptrdiff_t>(next_));
-  next_ = 0;
-  const std::size_t before = line_.size();
-  line_.resize(before + bin.size);
-  auto end = line_.begin() + static_cast<std::ptrdiff_t>(before);
+  Times times;
+  Ids ids{};
+  times.fill(std::numeric_limits<Real>::infinity());
+  std::size_t count = 0;
   for (std::uint32_t k = 0; k < bin.size; ++k) {
-    *end = {time(bin.ids[k]), bin.ids[k]};
-    const double offset = bins_after_origin(end->time);
-    end += static_cast<int>(offset >= opened_) & static_cast<int>(offset < opened_ + 1);
+    ids[count] = bin.ids[k];
+    times[count] = time(bin.ids[k]);
+    const double offset = bins_after_origin(times[count]);
+    count += static_cast<std::size_t>(offset >= opened_) &
+             static_cast<std::size_t>(offset < opened_ + 1);
   }
-  line_.erase(end, line_.end());
+  times[count] = std::numeric_limits<Real>::infinity();
   entries_ -= std::exchange(bin.size, 0);
-  std::sort(line_.begin() + static_cast<std::ptrdiff_t>(before), line_.end(), is_before);
-  lined_up_ += static_cast<std::int64_t>(line_.size() - before);
+  stand_in_line(times, ids, count);
+  lined_up_ += static_cast<std::int64_t>(count);
   ++opened_;
   if (groups_.size() > 1 && opened_ < open_end_) {
     const Bin& next = this->bin(opened_);
     for (std::uint32_t k = 0; k < next.size; ++k) prefetch(next.ids[k]);
   }
+}
+
+/// Lets events stand at the end of the line, earliest first.
+template <class Real>
+void Calendar<Real>::stand_in_line(const Times& times, const Ids& ids, std::size_t count) {
+  if (next_ == line_end_) next_ = line_end_ = 0;
+  if (line_end_ + most_in_order > line_.size()) make_room_in_line();
+  Event* const events = line_.data() + line_end_;
+  line_end_ += count;
+  if constexpr (std::is_same_v<Real, double>) {
+    if (lanes_are_wide_) {
+      const PlacesInOrder order = places_in_order_wide(times, count);
+      const std::size_t placed = count <= most_in_order / 2 ? most_in_order / 2 : most_in_order;
+      for (std::size_t k = 0; k < placed; ++k) events[order.places[k]] = {times[k], ids[k]};
+      if (order.all_differ) [[likely]]
+        return;
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k) events[k] = {times[k], ids[k]};
+  std::sort(events, events + count, is_before);
+}
+
+/// Makes room behind the end of the line: from its front where that is half of it.
+template <class Real>
+void Calendar<Real>::make_room_in_line() {
+  if (next_ < line_.size() / 2) return line_.resize(2 * line_.size());
+  const auto front = line_.begin() + static_cast<std::ptrdiff_t>(next_);
+  std::copy(front, line_.begin() + static_cast<std::ptrdiff_t>(line_end_), line_.begin());
+  line_end_ -= std::exchange(next_, 0);
 }
 
 #define ZENOSPHERE_INSTANTIATE(Real) template class Calendar<Real>;

@@ -49,7 +49,7 @@ class Calendar {
     for (;;) {
       if (!heap_.empty()) [[unlikely]]
         drop_void_heap();
-      if (next_ < line_.size()) {
+      if (next_ < line_end_) {
         const Event& next = line_[next_];
         if (is_void(next)) {
           ++next_;
@@ -68,16 +68,14 @@ class Calendar {
 
   /// Lets at least `count` events stand in line, as far as there are so many in this cycle.
   void line_up(std::size_t count) {
-    while (line_.size() - next_ < count && opened_ < bin_count_) open_bin();
+    while (line_end_ - next_ < count && opened_ < bin_count_) open_bin();
   }
 
   /// The events in line, earliest first. Some are void, and others may yet come between them.
-  std::span<const Event> line() const { return std::span(line_).subspan(next_); }
+  std::span<const Event> line() const { return std::span(line_).subspan(next_, line_end_ - next_); }
 
   /// How many have been in line, and are no more.
-  std::int64_t passed() const {
-    return lined_up_ - static_cast<std::int64_t>(line_.size() - next_);
-  }
+  std::int64_t passed() const { return lined_up_ - static_cast<std::int64_t>(line_end_ - next_); }
 
   /// Prefetches what will be read of the event of sphere `id`.
   void prefetch(std::int32_t id) const { prefetch_line(&time(id)); }
@@ -92,6 +90,9 @@ class Calendar {
     std::uint32_t size = 0;
     std::array<std::int32_t, room> ids;
   };
+  /// Of the events of a bin, and one more.
+  using Times = std::array<Real, Bin::room + 1>;
+  using Ids = std::array<std::int32_t, Bin::room + 1>;
   using Group = std::deque<std::int32_t>;               ///< gives back its memory when cleared
   static constexpr std::uint32_t bins_in_group = 4096;  ///< which the cache can hold
 
@@ -120,6 +121,8 @@ class Calendar {
   void put_in_heap(std::int32_t id);
   void open_group();
   void open_bin();
+  void stand_in_line(const Times& times, const Ids& ids, std::size_t count);
+  void make_room_in_line();
   void drop_void_heap();
   void clear_heap_of_void();
 
@@ -129,14 +132,16 @@ class Calendar {
   std::vector<Group> groups_;  ///< of later bins
   std::int32_t opened_ = 0;    ///< bins of this cycle
   std::int32_t open_end_ = 0;  ///< the first bin that is in no group opened yet
-  std::vector<Event> line_;
-  std::size_t next_ = 0;  ///< in line
+  std::vector<Event> line_ = std::vector<Event>(64);  ///< those in line, and room for more
+  std::size_t next_ = 0;                              ///< the first in line
+  std::size_t line_end_ = 0;                          ///< behind the last
   std::int64_t lined_up_ = 0;
   std::vector<Event> heap_;
   std::size_t heap_limit_ = 0;  ///< of entries, before it is cleared of those that are void
   std::size_t entries_ = 0;     ///< in bins, groups and the heap
   Real origin_ = 0;
   Real bins_per_time_ = 0;
+  bool lanes_are_wide_;  ///< events are put in order all at once
 };
 
 }  // namespace zenosphere

@@ -8,30 +8,38 @@ namespace zenosphere {
 
 namespace {
 
-bool is_empty(std::uint32_t place) { return (place & CellPlace::empty) != 0; }
+bool is_taken(std::uint32_t place) { return (place & CellPlace::taken) != 0; }
 
 std::int32_t sphere_at(std::uint32_t place) {
   return static_cast<std::int32_t>(place & Neighbour::sphere_mask);
 }
 
+constexpr std::uint32_t one_period_along_x =
+    Neighbour(0, PeriodicImage(std::array{1}, 0)).packed() - Neighbour(0, {}).packed();
+
+/// What stands at the place of a sphere that none follows.
+std::uint32_t alone(std::int32_t sphere) {
+  return CellPlace::taken | static_cast<std::uint32_t>(sphere);
+}
+
 }  // namespace
 
 CellMembers::CellMembers(std::int32_t cells, std::int32_t spheres)
-    : places_(2 * static_cast<std::size_t>(cells) + slack, CellPlace::empty),
+    : places_(2 * static_cast<std::size_t>(cells) + slack),
       next_(static_cast<std::size_t>(spheres), none) {}
 
 /// What stands at the place of a sphere.
 std::uint32_t CellMembers::place_for(std::int32_t sphere) const {
   const auto number = static_cast<std::uint32_t>(sphere);
-  return next_[number] == none ? number : number | CellPlace::more;
+  return CellPlace::taken | number | (next_[number] == none ? 0 : CellPlace::more);
 }
 
 // Which of two places it is, is as good as random: an index is worked out faster than guessed.
 
 void CellMembers::insert(std::int32_t sphere, std::int32_t cell) {
   std::uint32_t* const places = this->places(cell);
-  if (is_empty(places[0] | places[1])) [[likely]] {
-    places[static_cast<std::size_t>(!is_empty(places[0]))] = static_cast<std::uint32_t>(sphere);
+  if (!is_taken(places[0] & places[1])) [[likely]] {
+    places[static_cast<std::size_t>(is_taken(places[0]))] = alone(sphere);
     return;
   }
   const std::int32_t second = sphere_at(places[1]);
@@ -45,11 +53,10 @@ void CellMembers::insert(std::int32_t sphere, std::int32_t cell) {
 
 void CellMembers::remove(std::int32_t sphere, std::int32_t cell) {
   std::uint32_t* const places = this->places(cell);
-  const auto alone = static_cast<std::uint32_t>(sphere);  // none follows it
   if ((places[1] & CellPlace::more) == 0) [[likely]] {
-    const auto place = static_cast<std::size_t>(places[1] == alone);
-    assert(places[place] == alone);
-    places[place] = CellPlace::empty;
+    const auto place = static_cast<std::size_t>(places[1] == alone(sphere));
+    assert(places[place] == alone(sphere));
+    places[place] = 0;
     return;
   }
   const std::int32_t second = sphere_at(places[1]);
@@ -57,7 +64,7 @@ void CellMembers::remove(std::int32_t sphere, std::int32_t cell) {
     places[1] = place_for(next(second));
     return;
   }
-  const bool is_first = places[0] == alone;
+  const bool is_first = places[0] == alone(sphere);
   // One that has no place leaves those that follow the second, or takes the place of the first.
   std::int32_t before = second;
   while (!is_first && next(before) != sphere) before = next(before);
@@ -65,15 +72,14 @@ void CellMembers::remove(std::int32_t sphere, std::int32_t cell) {
   assert(leaves != none);
   next(before) = next(leaves);
   places[1] = place_for(second);
-  if (is_first) places[0] = static_cast<std::uint32_t>(leaves);
+  if (is_first) places[0] = alone(leaves);
 }
 
-void CellMembers::repeat(std::int32_t cell, std::int32_t copy) {
-  static const std::uint32_t one_period =
-      Neighbour(0, PeriodicImage(std::array{1}, 0)).packed() - Neighbour(0, {}).packed();
+void CellMembers::repeat(std::int32_t cell, std::int32_t behind) {
+  const std::uint32_t one_period = behind != 0 ? one_period_along_x : 0;
   for (const int k : {0, 1}) {
     const std::uint32_t place = places(cell)[k];
-    places(copy)[k] = is_empty(place) ? place : place + one_period;
+    places(cell + behind)[k] = is_taken(place) ? place + one_period : place;
   }
 }
 

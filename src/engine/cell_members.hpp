@@ -2,11 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "engine/huge_page_vector.hpp"
 #include "engine/prefetching.hpp"
-#include "engine/simd/members_in_runs.hpp"
+#include "engine/simd/members_in_rows.hpp"
 
 namespace zenosphere {
 
@@ -19,18 +18,18 @@ class CellMembers {
   void insert(std::int32_t sphere, std::int32_t cell);
   void remove(std::int32_t sphere, std::int32_t cell);
 
-  /// Lets `copy` stand for what is in `cell`, as it is now, one period along x further on.
-  void repeat(std::int32_t cell, std::int32_t copy);
+  /// Lets the cell `behind` another one stand for what is in that now, one period along x further
+  /// on; 0: none does.
+  void repeat(std::int32_t cell, std::int32_t behind);
 
   /// Writes the spheres in these cells to `found`.
   ///
   /// \param found  with room for most() of each cell and `slack` more
   /// \return       the end of what has been written
-  Neighbour* find(std::span<const CellRun> runs, Neighbour* found) const {
-    return find_members({places_.data(), next_.data()}, runs, found);
-  }
-
   Neighbour* find(ScatteredCells& cells, Neighbour* found) const {
+    return find_members({places_.data(), next_.data()}, cells, found);
+  }
+  Neighbour* find(const CellBlock& cells, Neighbour* found) const {
     return find_members({places_.data(), next_.data()}, cells, found);
   }
 
@@ -40,7 +39,7 @@ class CellMembers {
   /// So many Neighbours behind those that are found may be overwritten.
   static constexpr std::size_t slack = 8;
 
-  void prefetch(const CellRun& run) const { prefetch_line(&places_[2 * run.first()]); }
+  void prefetch(SeenCell cell) const { prefetch_line(&places_[2 * std::size_t{cell.cell()}]); }
 
  private:
   static constexpr std::int32_t none = -1;

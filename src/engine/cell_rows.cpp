@@ -21,7 +21,7 @@ CellRows<Dim>::CellRows(const Steps<Dim>& cells) : cells_(cells) {
       const std::int32_t itself = axis == 0 ? 0 : PeriodicImage().code();
       const auto code = static_cast<std::uint32_t>(PeriodicImage(periods, 0).code() - itself);
       const std::uint64_t seen = code << Neighbour::sphere_bits;
-      places_[axis].push_back((seen << 32) + static_cast<std::uint64_t>(inside * strides_[axis]));
+      parts_[axis].push_back({(seen << 32) + static_cast<std::uint64_t>(inside * strides_[axis])});
     }
   }
 }

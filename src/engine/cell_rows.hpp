@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/simd/members_in_runs.hpp"
+#include "engine/simd/members_in_rows.hpp"
 #include "engine/sliding_cells.hpp"
 
 namespace zenosphere {
@@ -24,8 +24,6 @@ class CellRows {
   static constexpr int most_in_run = 4;
   /// So many of the first cells of a row stand once more behind its end.
   static constexpr int repeated = most_in_run - 1;
-  /// At most so many runs make up the rows beside a cell.
-  static constexpr std::size_t most_runs = 3 * 3 * 2;
 
   /// \param cells  number of cells along each axis, along x more than `repeated`
   explicit CellRows(const Steps<Dim>& cells);
@@ -41,44 +39,37 @@ class CellRows {
     return cell;
   }
 
-  /// Writes the rows around the cell at `home` to `runs`, with room for `most_runs`. Returns their
-  /// end.
-  CellRun* around(const SlidingCells<Dim>& cells, const Steps<Dim>& home, const Reach& reach,
-                  CellRun* runs) const {
+  /// All cells around one, in a box without slides.
+  CellBlock around(const Steps<Dim>& home) const {
+    CellBlock block = all_rows(home);
+    const SeenCell first_column = at(0, home[0] - 1);
     for (int layers = -aside_y; layers <= aside_y; ++layers) {
-      runs = in_layer(cells, home, layers, reach[static_cast<std::size_t>(layers + 1)], runs);
+      block.add({first_column + layer(home, layers), 3});
     }
-    return runs;
+    return block;
   }
-  /// The same of one layer.
-  CellRun* in_layer(const SlidingCells<Dim>& cells, const Steps<Dim>& home, int layers,
-                    const Columns& columns, CellRun* runs) const {
-    if (columns.to - columns.from >= most_in_run) [[unlikely]] {
-      const int next = columns.from + most_in_run;
-      runs = in_layer(cells, home, layers, {columns.from, next - 1}, runs);
-      return in_layer(cells, home, layers, {next, columns.to}, runs);
+  /// Those of them that lie in one direction along y or z: done alike, since which of both it is,
+  /// is as good as random.
+  CellBlock beside(const Steps<Dim>& home, int axis, int direction) const {
+    const auto along = static_cast<std::size_t>(axis);
+    CellBlock block;
+    for (int steps = -aside_z; steps <= aside_z; ++steps) {
+      block.add_row(aside_z != 0 ? part(home, 3 - along, steps) : SeenCell{0});
     }
-    const CellRun run = run_in_layer(cells, home, layers, columns);
-    for (int row = -aside_z; row <= aside_z; ++row) *runs++ = run.beyond(across(home, row));
-    return runs;
+    block.add({at(0, home[0] - 1) + part(home, along, direction), 3});
+    return block;
   }
-  /// The same of one row of each layer.
-  CellRun* in_row(const SlidingCells<Dim>& cells, const Steps<Dim>& home, int row,
-                  const Reach& reach, CellRun* runs) const {
-    const std::uint64_t across = this->across(home, row);
+  /// Those of them that lie in one direction along x.
+  ScatteredCells column_beside(const Steps<Dim>& home, int direction) const {
+    ScatteredCells scattered;
+    const SeenCell column = at(0, home[0] + direction);
     for (int layers = -aside_y; layers <= aside_y; ++layers) {
-      auto [from, to] = reach[static_cast<std::size_t>(layers + 1)];
-      if (to - from >= most_in_run) [[unlikely]] {  // five, of which four are a run
-        const Columns first{from, from + most_in_run - 1};
-        *runs++ = run_in_layer(cells, home, layers, first).beyond(across);
-        from += most_in_run;
-      }
-      *runs++ = run_in_layer(cells, home, layers, {from, to}).beyond(across);
+      add_cells(home, column + layer(home, layers), scattered);
     }
-    return runs;
+    return scattered;
   }
 
-  /// One cell of each of the rows around the cell at `home`, in a column of each layer.
+  /// One cell of each row, with layers that slide.
   ///
   /// \param columns  of the layers below, beside and above, counted as those of a Reach
   ScatteredCells one_of_each_row(const SlidingCells<Dim>& cells, const Steps<Dim>& home,
@@ -86,16 +77,37 @@ class CellRows {
     ScatteredCells scattered;
     for (int layers = -aside_y; layers <= aside_y; ++layers) {
       const int column = columns[static_cast<std::size_t>(layers + 1)];
-      const CellRun run = run_in_layer(cells, home, layers, {column, column});
-      for (int row = -aside_z; row <= aside_z; ++row) {
-        scattered.add(run.beyond(across(home, row)).place);
-      }
+      add_cells(home, run_in_layer(cells, home, layers, {column, column}).first, scattered);
     }
     return scattered;
   }
 
+  /// All rows beside the cell at `home`, of no layer yet.
+  CellBlock all_rows(const Steps<Dim>& home) const {
+    CellBlock block;
+    for (int row = -aside_z; row <= aside_z; ++row) block.add_row(across(home, row));
+    return block;
+  }
+  /// One of them.
+  CellBlock one_row(const Steps<Dim>& home, int row) const {
+    CellBlock block;
+    block.add_row(across(home, row));
+    return block;
+  }
+  /// Adds some columns of a layer.
+  void add_columns(const SlidingCells<Dim>& cells, const Steps<Dim>& home, int layers,
+                   Columns columns, CellBlock& block) const {
+    if (columns.to - columns.from >= most_in_run) [[unlikely]] {  // five, of which four are a run
+      block.add(run_in_layer(cells, home, layers, {columns.from, columns.from + most_in_run - 1}));
+      columns.from += most_in_run;
+    }
+    block.add(run_in_layer(cells, home, layers, columns));
+  }
+
  private:
-  static constexpr std::uint64_t one_layer = std::uint64_t{1} << (32 + Neighbour::sphere_bits);
+  /// What a step adds to the image in which a cell is seen, in any box: a layer, if it leads there.
+  static constexpr std::array<std::uint64_t, 3> per_step{
+      0, std::uint64_t{1} << (32 + Neighbour::sphere_bits), 0};
 
   static constexpr int aside_y = Dim > 1 ? 1 : 0;
   static constexpr int aside_z = Dim > 2 ? 1 : 0;
@@ -105,29 +117,39 @@ class CellRows {
   CellRun run_in_layer(const SlidingCells<Dim>& cells, const Steps<Dim>& home, int layers,
                        const Columns& columns) const {
     int column = home[0] - layers * cells.whole_slide() + columns.from;
-    std::uint64_t place = 0;
     if constexpr (Dim > 1) {
-      const int layer = home[1] + layers;
-      if (cells.whole_offset() != 0) column -= periods(layer) * cells.whole_offset();
-      place = at(1, layer) + one_layer * static_cast<std::uint64_t>(layers);
+      if (cells.whole_offset() != 0) column -= periods(home[1] + layers) * cells.whole_offset();
     }
-    return CellRun::of(place + at(0, column), columns.to - columns.from + 1);
+    return {at(0, column) + layer(home, layers), columns.to - columns.from + 1};
   }
-  /// What a row so many steps along z adds to the place of a run.
-  std::uint64_t across(const Steps<Dim>& home, int row) const {
-    if constexpr (Dim > 2) return at(2, home[2] + row);
-    return 0;
+  /// Adds a cell of a layer in each row.
+  void add_cells(const Steps<Dim>& home, SeenCell cell, ScatteredCells& scattered) const {
+    for (int row = -aside_z; row <= aside_z; ++row) scattered.add(cell + across(home, row));
+  }
+  /// The part of a layer so many steps along y.
+  SeenCell layer(const Steps<Dim>& home, int steps) const {
+    if constexpr (Dim > 1) return part(home, 1, steps);
+    return {0};
+  }
+  /// The part of a row so many steps along z.
+  SeenCell across(const Steps<Dim>& home, int row) const {
+    if constexpr (Dim > 2) return part(home, 2, row);
+    return {0};
+  }
+  SeenCell part(const Steps<Dim>& home, std::size_t axis, int steps) const {
+    return at(axis, home[axis] + steps) +
+           SeenCell{per_step[axis] * static_cast<std::uint64_t>(steps)};
   }
   int periods(int layer) const { return layer < 0 ? -1 : layer >= cells_[Dim > 1 ? 1 : 0] ? 1 : 0; }
-  /// What a coordinate adds to the place of a run.
-  std::uint64_t at(std::size_t axis, int coordinate) const {
-    return places_[axis][static_cast<std::size_t>(coordinate + before_[axis])];
+  /// The part of a coordinate.
+  SeenCell at(std::size_t axis, int coordinate) const {
+    return parts_[axis][static_cast<std::size_t>(coordinate + before_[axis])];
   }
 
   Steps<Dim> cells_;
   std::array<std::int32_t, Dim> strides_{};
   std::int32_t count_ = 1;
-  std::array<std::vector<std::uint64_t>, Dim> places_;
+  std::array<std::vector<SeenCell>, Dim> parts_;
   std::array<int, Dim> before_{};  ///< so many coordinates below 0 are in the table
 };
 

@@ -48,16 +48,17 @@ void CellSearch<Dim>::remove(std::int32_t sphere, const Steps<Dim>& cell) {
 /// The first cells of a row stand once more behind its end.
 template <int Dim>
 void CellSearch<Dim>::repeat(const Steps<Dim>& cell) {
-  if (cell[0] >= CellRows<Dim>::repeated) return;
-  const std::int32_t number = rows_.index(cell);
-  members_.repeat(number, number + rows_.row_length());
+  members_.repeat(rows_.index(cell), cell[0] < CellRows<Dim>::repeated ? rows_.row_length() : 0);
 }
 
 template <int Dim>
 void CellSearch<Dim>::prefetch(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const {
-  Runs runs;
-  const CellRun* const end = rows_.around(cells, home, reach(cells, home), runs.data());
-  for (const CellRun* run = runs.data(); run != end; ++run) members_.prefetch(*run);
+  const CellBlock block = block_around(cells, home);
+  for (std::size_t k = 0; k < block.run_count; ++k) {
+    for (std::size_t row = 0; row < block.row_count; ++row) {
+      members_.prefetch(block.runs[k].first + block.rows[row]);
+    }
+  }
 }
 
 template <int Dim>
@@ -70,17 +71,31 @@ std::span<const Neighbour> CellSearch<Dim>::members_of(Cells&& cells) const {
 }
 
 template <int Dim>
+CellBlock CellSearch<Dim>::block_around(const SlidingCells<Dim>& cells,
+                                        const Steps<Dim>& home) const {
+  if (!has_slides()) return rows_.around(home);
+  const Reach reach = this->reach(cells, home);
+  CellBlock block = rows_.all_rows(home);
+  for (int layer = -aside_y; layer <= aside_y; ++layer) {
+    rows_.add_columns(cells, home, layer, reach[static_cast<std::size_t>(layer + 1)], block);
+  }
+  return block;
+}
+
+template <int Dim>
 std::span<const Neighbour> CellSearch<Dim>::around(const SlidingCells<Dim>& cells,
                                                    const Steps<Dim>& home) const {
-  Runs runs;
-  return members_of(
-      std::span(runs.data(), rows_.around(cells, home, reach(cells, home), runs.data())));
+  return members_of(block_around(cells, home));
 }
 
 template <int Dim>
 std::span<const Neighbour> CellSearch<Dim>::beyond(const SlidingCells<Dim>& cells,
                                                    const Crossing& crossing) const {
   const auto& [axis, direction, from, to] = crossing;
+  if (!has_slides()) {
+    return axis == 0 ? members_of(rows_.column_beside(to, direction))
+                     : members_of(rows_.beside(to, axis, direction));
+  }
   const Reach reach = this->reach(cells, to);
   if (axis == 0) {
     std::array<int, 3> columns;
@@ -89,31 +104,29 @@ std::span<const Neighbour> CellSearch<Dim>::beyond(const SlidingCells<Dim>& cell
     }
     return members_of(rows_.one_of_each_row(cells, to, columns));
   }
-  Runs runs;
-  CellRun* end = runs.data();
+  CellBlock block = axis == 1 ? rows_.all_rows(to) : rows_.one_row(to, direction);
   if (axis == 1) {
-    end = columns_behind(cells, crossing, reach, end);
-    end = rows_.in_layer(cells, to, direction, reach[static_cast<std::size_t>(direction + 1)], end);
+    add_columns_behind(cells, crossing, reach, block);
+    rows_.add_columns(cells, to, direction, reach[static_cast<std::size_t>(direction + 1)], block);
   } else {
-    end = rows_.in_row(cells, to, direction, reach, end);
+    for (int layer = -aside_y; layer <= aside_y; ++layer) {
+      rows_.add_columns(cells, to, layer, reach[static_cast<std::size_t>(layer + 1)], block);
+    }
   }
-  return members_of(std::span(runs.data(), end));
+  return members_of(block);
 }
 
 /// Of the layer that a sphere has left it has seen the columns beside its own; with layers that
 /// slide one or two more are seen from the next layer.
 template <int Dim>
-CellRun* CellSearch<Dim>::columns_behind(const SlidingCells<Dim>& cells, const Crossing& crossing,
-                                         const Reach& reach, CellRun* runs) const {
+void CellSearch<Dim>::add_columns_behind(const SlidingCells<Dim>& cells, const Crossing& crossing,
+                                         const Reach& reach, CellBlock& block) const {
   const int behind = -crossing.direction;
   const auto [from, to] = reach[static_cast<std::size_t>(behind + 1)];
-  if (from == -1 && to == 1) return runs;
+  if (from == -1 && to == 1) return;
   const int own = cells.reached(crossing.to, crossing.from).steps[0];
-  if (from <= own - 2) {
-    runs = rows_.in_layer(cells, crossing.to, behind, {from, own - 2}, runs);
-  }
-  if (own + 2 <= to) runs = rows_.in_layer(cells, crossing.to, behind, {own + 2, to}, runs);
-  return runs;
+  if (from <= own - 2) rows_.add_columns(cells, crossing.to, behind, {from, own - 2}, block);
+  if (own + 2 <= to) rows_.add_columns(cells, crossing.to, behind, {own + 2, to}, block);
 }
 
 template <int Dim>
@@ -121,9 +134,9 @@ std::span<const Neighbour> CellSearch<Dim>::slid_near(const SlidingCells<Dim>& c
                                                       const Steps<Dim>& home) const {
   constexpr int above = 1;
   const int column = reach(cells, home)[above + 1].from;
-  Runs runs;
-  return members_of(
-      std::span(runs.data(), rows_.in_layer(cells, home, above, {column, column}, runs.data())));
+  CellBlock block = rows_.all_rows(home);
+  rows_.add_columns(cells, home, above, {column, column}, block);
+  return members_of(block);
 }
 
 template <int Dim>

@@ -76,10 +76,12 @@ class CellSearch {
   void prefetch(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;
 
  private:
-  using Runs = std::array<CellRun, CellRows<Dim>::most_runs>;
-  CellRun* columns_behind(const SlidingCells<Dim>& cells, const Crossing& crossing,
-                          const Reach& reach, CellRun* runs) const;
-  /// \param cells  runs, or scattered ones
+  static constexpr int aside_y = Dim > 1 ? 1 : 0;  ///< layers that are seen either way
+
+  CellBlock block_around(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;
+  void add_columns_behind(const SlidingCells<Dim>& cells, const Crossing& crossing,
+                          const Reach& reach, CellBlock& block) const;
+  /// \param cells  a CellBlock, or ScatteredCells
   template <class Cells>
   std::span<const Neighbour> members_of(Cells&& cells) const;
 

@@ -23,7 +23,7 @@ class Neighbour {
   static_assert(most_spheres <= sphere_mask);
 
   Neighbour() = default;
-  Neighbour(std::int32_t sphere, PeriodicImage periodic_image)
+  constexpr Neighbour(std::int32_t sphere, PeriodicImage periodic_image)
       : packed_(static_cast<std::uint32_t>(periodic_image.code()) << sphere_bits |
                 static_cast<std::uint32_t>(sphere)) {}
   static Neighbour from_packed(std::uint32_t packed) {
@@ -32,7 +32,7 @@ class Neighbour {
     return neighbour;
   }
 
-  std::uint32_t packed() const { return packed_; }
+  constexpr std::uint32_t packed() const { return packed_; }
   std::int32_t sphere() const { return static_cast<std::int32_t>(packed_ & sphere_mask); }
   PeriodicImage periodic_image() const {
     return PeriodicImage::from_code(static_cast<std::int32_t>(packed_ >> sphere_bits));

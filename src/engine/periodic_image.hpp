@@ -14,11 +14,11 @@ class PeriodicImage {
  public:
   static constexpr std::int32_t count = 7 * 3 * 3 * 3;
 
-  PeriodicImage() = default;
+  constexpr PeriodicImage() = default;
   /// \param periods  boxes crossed along each axis; along x at most 3 either way, else 1
   /// \param layers   -1, 0 or +1
   template <std::size_t Dim>
-  PeriodicImage(const std::array<int, Dim>& periods, int layers)
+  constexpr PeriodicImage(const std::array<int, Dim>& periods, int layers)
       : code_((count - 1) / 2 + per_period[0] * periods[0] + layers) {
     for (std::size_t axis = 1; axis < Dim; ++axis) code_ += per_period[axis] * periods[axis];
   }
@@ -28,7 +28,7 @@ class PeriodicImage {
     return periodic_image;
   }
 
-  std::int32_t code() const { return code_; }
+  constexpr std::int32_t code() const { return code_; }
   int layers() const { return code_ % 3 - 1; }
   int periods(int axis) const {
     const auto a = static_cast<std::size_t>(axis);

@@ -18,17 +18,23 @@ namespace zenosphere::simd {
 
 inline constexpr double no_contact = std::numeric_limits<double>::infinity();
 
-/// Reads four numbers of each of four things, and puts the same number of all side by side.
+/// Two numbers that stand at `low`, and two that stand at `high`.
+ZENOSPHERE_WIDE inline __m256d read_halves(const double* low, const double* high) {
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);
+}
+
+/// Reads four numbers of each of four things, and puts the same number of all side by side. A
+/// processor can read halves of a register faster than it can move them.
 ZENOSPHERE_WIDE inline void read_columns(const double* a, const double* b, const double* c,
                                          const double* d, __m256d* columns) {
-  const __m256d low_ab = _mm256_unpacklo_pd(_mm256_loadu_pd(a), _mm256_loadu_pd(b));
-  const __m256d high_ab = _mm256_unpackhi_pd(_mm256_loadu_pd(a), _mm256_loadu_pd(b));
-  const __m256d low_cd = _mm256_unpacklo_pd(_mm256_loadu_pd(c), _mm256_loadu_pd(d));
-  const __m256d high_cd = _mm256_unpackhi_pd(_mm256_loadu_pd(c), _mm256_loadu_pd(d));
-  columns[0] = _mm256_permute2f128_pd(low_ab, low_cd, 0x20);
-  columns[1] = _mm256_permute2f128_pd(high_ab, high_cd, 0x20);
-  columns[2] = _mm256_permute2f128_pd(low_ab, low_cd, 0x31);
-  columns[3] = _mm256_permute2f128_pd(high_ab, high_cd, 0x31);
+  const __m256d first_ac = read_halves(a, c);
+  const __m256d first_bd = read_halves(b, d);
+  const __m256d last_ac = read_halves(a + 2, c + 2);
+  const __m256d last_bd = read_halves(b + 2, d + 2);
+  columns[0] = _mm256_unpacklo_pd(first_ac, first_bd);
+  columns[1] = _mm256_unpackhi_pd(first_ac, first_bd);
+  columns[2] = _mm256_unpacklo_pd(last_ac, last_bd);
+  columns[3] = _mm256_unpackhi_pd(last_ac, last_bd);
 }
 
 /// The numbers of four spheres: positions, velocities and times.
