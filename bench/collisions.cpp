@@ -17,6 +17,7 @@ namespace {
 
 /// What the user typed.
 struct Arguments {
+  int dimension = 3;
   GasRequest gas{.start = {.granular_temperature = 1}};
   std::int64_t warm_up = 0;
   std::int64_t collisions = 0;
@@ -24,6 +25,7 @@ struct Arguments {
 
 /// What the loop has done so far.
 struct Counts {
+  template <class Gas>
   explicit Counts(const Gas& gas)
       : collisions(gas.collisions()),
         rebuilds(gas.rebuilds()),
@@ -40,6 +42,8 @@ void add_options(CLI::App& program, Arguments& arguments) {
   GasRequest& gas = arguments.gas;
   const std::map<std::string, Arrangement> arrangements{{"fcc", Arrangement::fcc},
                                                         {"random", Arrangement::random}};
+  program.add_option("--dimension", arguments.dimension, "3, or 2: disks, from a random start")
+      ->check(CLI::Range(2, 3));
   program.add_option("--spheres", gas.start.spheres, "number of spheres; for fcc 4 n^3")
       ->required()
       ->check(CLI::PositiveNumber);
@@ -67,14 +71,15 @@ void print(const Arguments& arguments, const Counts& before, const Counts& after
   const auto spheres = static_cast<double>(arguments.gas.start.spheres);
   const ResidentMemory memory = resident_memory();
   const double user = end.user_seconds - start.user_seconds;
-  fmt::print(R"({{"spheres": {}, "fraction": {}, "restitution": {}, "shear_rate": {}, )"
+  fmt::print(R"({{"dimension": {}, "spheres": {}, "fraction": {}, )"
+             R"("restitution": {}, "shear_rate": {}, )"
              R"("collisions": {}, "user_seconds": {:.6f}, "system_seconds": {:.6f}, )"
              R"("wall_seconds": {:.6f}, "collisions_per_second": {:.1f}, )"
              R"("rebuilds_per_collision": {:.4f}, "stale_per_collision": {:.4f}, )"
              R"("start_time": {:.6g}, "end_time": {:.6g}, "setup_user_seconds": {:.3f}, )"
              R"("bytes_per_sphere": {:.1f}, "peak_bytes_per_sphere": {:.1f}, "compiler": "{}"}})"
              "\n",
-             arguments.gas.start.spheres, arguments.gas.solids_volume_fraction,
+             arguments.dimension, arguments.gas.start.spheres, arguments.gas.solids_volume_fraction,
              arguments.gas.restitution, arguments.gas.shear_rate,
              after.collisions - before.collisions, user, end.system_seconds - start.system_seconds,
              end.wall_seconds - start.wall_seconds, collisions / user,
@@ -84,9 +89,10 @@ void print(const Arguments& arguments, const Counts& before, const Counts& after
              static_cast<double>(memory.peak - baseline.now) / spheres, BENCH_COMPILER);
 }
 
+template <int Dim>
 void measure(const Arguments& arguments) {
   const ResidentMemory baseline = resident_memory();
-  Gas gas = bench::gas(arguments.gas);
+  auto gas = bench::gas<Dim>(arguments.gas);
   collide(gas, arguments.warm_up);
   const Counts before(gas);
   const ProcessUsage start = process_usage();
@@ -106,7 +112,7 @@ int main(int argc, char** argv) {
   add_options(program, arguments);
   CLI11_PARSE(program, argc, argv);
   try {
-    measure(arguments);
+    arguments.dimension == 2 ? measure<2>(arguments) : measure<3>(arguments);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bench_collisions: {}\n", error.what());
     return 1;

@@ -12,7 +12,8 @@
 
 namespace zenosphere::bench {
 
-using Gas = Simulation<3, double>;
+template <int Dim>
+using Gas = Simulation<Dim, double>;
 
 /// Some of the spheres are larger, of the same density; they come last.
 struct LargeSpheres {
@@ -20,7 +21,7 @@ struct LargeSpheres {
   double diameter = 1;
 };
 
-/// The state that is measured: spheres in a periodic cube, sheared or not.
+/// The state that is measured: spheres in a periodic cube, or disks in a square, sheared or not.
 struct GasRequest {
   StartRequest start;
   LargeSpheres large{};
@@ -30,37 +31,40 @@ struct GasRequest {
 };
 
 /// What the spheres are; nothing where all are unit spheres.
-inline Grains<double> grains(std::int32_t spheres, const LargeSpheres& large) {
+///
+/// \param mass  of a large one
+inline Grains<double> grains(std::int32_t spheres, const LargeSpheres& large, double mass) {
   Grains<double> grains;
   if (large.count == 0) return grains;
-  const double volume = large.diameter * large.diameter * large.diameter;
   for (std::int32_t i = 0; i < spheres; ++i) {
     const bool is_large = i >= spheres - large.count;
     grains.diameters.push_back(is_large ? large.diameter : 1);
-    grains.masses.push_back(is_large ? volume : 1);
+    grains.masses.push_back(is_large ? mass : 1);
     grains.kinds.push_back(is_large ? 1 : 0);
   }
   return grains;
 }
 
 /// The gas at time 0.
-inline Gas gas(GasRequest request) {
+template <int Dim>
+Gas<Dim> gas(GasRequest request) {
   const auto& [count, diameter] = request.large;
   const std::int32_t spheres = request.start.spheres;
-  const double volume = spheres + count * (diameter * diameter * diameter - 1);
-  const double side =
-      box_side<3>(spheres, request.solids_volume_fraction) * std::cbrt(volume / spheres);
-  const std::array sides{side, side, side};
-  request.start.grains = grains(spheres, request.large);
+  const double of_large = std::pow(diameter, Dim);  // volume, where that of the others is 1
+  const double mean = (spheres + count * (of_large - 1)) / spheres;
+  std::array<double, Dim> sides;
+  sides.fill(box_side<Dim>(spheres, request.solids_volume_fraction) * std::pow(mean, 1.0 / Dim));
+  request.start.grains = grains(spheres, request.large, of_large);
   const double width = fitting_cell_width({sides, spheres, sizes_of(request.start.grains)});
-  const ShearBox<3, double> box({sides}, request.shear_rate, width);
-  return Gas(box, make_start<3>(request.start, box), {.restitution = request.restitution});
+  const ShearBox<Dim, double> box({sides}, request.shear_rate, width);
+  return {box, make_start<Dim>(request.start, box), {.restitution = request.restitution}};
 }
 
 /// The bare loop: collisions, and nothing that looks at them.
 ///
 /// \return  the velocity changes summed up, so that no record is optimised away
-inline double collide(Gas& gas, std::int64_t collisions) {
+template <int Dim>
+double collide(Gas<Dim>& gas, std::int64_t collisions) {
   double sum = 0;
   const std::int64_t last = gas.collisions() + collisions;
   while (gas.collisions() < last) {

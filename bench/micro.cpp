@@ -76,7 +76,7 @@ BENCHMARK(calendar_events_of_a_collision)->Arg(gas_spheres)->Arg(1000000);
 
 /// A kick that changes nothing makes a prediction for every sphere.
 void prediction_of_a_sphere(benchmark::State& state) {
-  Gas gas = bench::gas(dense_gas(1, 0));
+  auto gas = bench::gas<3>(dense_gas(1, 0));
   collide(gas, 10 * gas_spheres);
   const std::vector<Vec<3, double>> nothing(gas_spheres);
   for (auto _ : state) gas.kick(nothing);
@@ -87,7 +87,7 @@ BENCHMARK(prediction_of_a_sphere);
 /// Everything that one collision costs, rebuilt lists and stale events included.
 void collision_of_a_gas(benchmark::State& state) {
   const auto shear_rate = static_cast<double>(state.range(0));
-  Gas gas = bench::gas(dense_gas(shear_rate > 0 ? 0.9 : 1.0, shear_rate));
+  auto gas = bench::gas<3>(dense_gas(shear_rate > 0 ? 0.9 : 1.0, shear_rate));
   collide(gas, 10 * gas_spheres);
   for (auto _ : state) collide(gas, 1);
   state.SetItemsProcessed(state.iterations());

@@ -17,13 +17,14 @@ STYLE = {"font.family": "STIXGeneral", "mathtext.fontset": "stix", "font.size": 
 
 
 def draw(table, path):
-    """Speed against N (above) and phi (below), elastic (left) and sheared (right)."""
+    """Speed against N at two fractions, and against the fraction; elastic left, sheared right."""
     with matplotlib.rc_context(STYLE):
-        figure = Figure(figsize=(7.2, 5.6), dpi=200, layout="constrained")
-        panels = figure.subplots(2, 2, sharey=True, sharex="row")
+        figure = Figure(figsize=(7.2, 7.8), dpi=200, layout="constrained")
+        panels = figure.subplots(3, 2, sharey=True, sharex="row")
         for column, flow in enumerate(grid.FLOWS):
-            _against_spheres(panels[0][column], table, flow)
-            _against_fraction(panels[1][column], table, flow)
+            for row, fraction in enumerate(grid.USUAL_FRACTIONS):
+                _against_spheres(panels[row][column], table, flow, fraction)
+            _against_fraction(panels[2][column], table, flow)
             panels[0][column].set_title(flow + (", e = 0.9" if flow == "sheared" else ""))
         for row in panels:
             row[0].set_ylabel("million collisions per second")
@@ -31,7 +32,7 @@ def draw(table, path):
             axes.set_yscale("log")
             axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
             axes.grid(alpha=0.25, linewidth=0.5)
-        panels[1][1].legend(*panels[0][0].get_legend_handles_labels(), loc="center")
+        panels[2][1].legend(*panels[2][0].get_legend_handles_labels(), loc="lower right")
         figure.savefig(path, metadata={"Software": None})
 
 
@@ -48,48 +49,56 @@ def _style(table, program):
             "linewidth": 1.8 if program == OURS else 1, "label": program}
 
 
-def _against_spheres(axes, table, flow):
-    for fraction in grid.FRACTIONS:
-        places = [(n, grid.state_of(flow, n, fraction)) for n in grid.SPHERES]
-        if fraction != grid.CUT_FRACTION:
-            _curve(axes, table, OURS, places, color="0.6", linewidth=0.7)
-            continue
-        for program in table.programs():
-            _curve(axes, table, program, places, **_style(table, program))
+def _against_spheres(axes, table, flow, fraction):
+    places = [(place[0], grid.state_of(flow, *place)) for place in grid.line_of_spheres(fraction)]
+    for program in table.programs():
+        _curve(axes, table, program, places, **_style(table, program))
     axes.set_xscale("log")
-    axes.set_xlabel(f"spheres, at $\\phi$ = {grid.CUT_FRACTION}"
-                    " (grey: Zenosphere at other $\\phi$)")
+    axes.set_xlabel(f"spheres, at $\\phi$ = {fraction}")
 
 
 def _against_fraction(axes, table, flow):
-    places = [(phi, grid.state_of(flow, grid.CUT_SPHERES, phi)) for phi in grid.FRACTIONS]
+    places = [(place[1], grid.state_of(flow, *place)) for place in grid.line_of_fractions()]
     for program in table.programs():
         _curve(axes, table, program, places, **_style(table, program))
-    axes.set_xlabel(f"solids volume fraction, at N = {grid.CUT_SPHERES}")
+    disks = [(fraction, grid.state_of_disks(flow, fraction)) for fraction in grid.AREA_FRACTIONS]
+    _curve(axes, table, OURS, disks, color="0.5", marker=".", linewidth=1, linestyle="--",
+           label=OURS + ", disks")
+    axes.set_xlabel(f"fraction of the volume, or of the area, at N = {grid.USUAL_SPHERES}")
 
 
 def tables(table):
-    """Markdown: all programs along the two cuts, then Zenosphere on the whole grid."""
+    """Markdown: all programs along the lines of the grid, then disks."""
+    lines = [(f"phi, at N = {grid.USUAL_SPHERES}", grid.line_of_fractions(), 1)]
+    lines += [(f"N, at phi = {fraction}", grid.line_of_spheres(fraction), 0)
+              for fraction in grid.USUAL_FRACTIONS]
+    text = [_line(table, title, places, which) for title, places, which in lines]
+    rows = [[str(fraction)] + [_cell(table.rate(OURS, grid.state_of_disks(flow, fraction)), 1e6)
+                               for flow in grid.FLOWS] for fraction in grid.AREA_FRACTIONS]
+    heads = [f"area fraction, {grid.USUAL_SPHERES} disks"] + [f"{OURS}, {flow}"
+                                                             for flow in grid.FLOWS]
+    return "\n\n".join([*text, _markdown(heads, rows)])
+
+
+def _line(table, title, places, which):
+    """The states along a line: a column for each program, and our lead over the fastest peer."""
     peers = [name for name in table.programs() if name != OURS]
-    columns = [(flow, name) for flow in grid.FLOWS for name in [OURS, *peers]]
-    cuts = [("N, at phi = 0.3", [(n, grid.CUT_FRACTION) for n in grid.SPHERES], 0),
-            ("phi, at N = 4000", [(grid.CUT_SPHERES, phi) for phi in grid.FRACTIONS], 1)]
-    text = []
-    for title, places, which in cuts:
-        rows = [[str(place[which])] + [_cell(table, name, flow, place) for flow, name in columns]
-                for place in places]
-        heads = [title] + [f"{name}, {flow}" for flow, name in columns]
-        text.append(_markdown(*_without_empty_columns(heads, rows)))
-    columns = [(flow, phi) for flow in grid.FLOWS for phi in grid.FRACTIONS]
-    rows = [[str(n)] + [_cell(table, OURS, flow, (n, phi)) for flow, phi in columns]
-            for n in grid.SPHERES]
-    text.append(_markdown(["Zenosphere, N"] + [f"{flow}, {phi}" for flow, phi in columns], rows))
-    return "\n\n".join(text)
+    heads = [title] + [f"{name}, elastic" for name in [OURS, *peers]] + [f"{OURS} / fastest peer"]
+    heads += [f"{name}, sheared" for name in [OURS, *peers]] + ["sheared / elastic"]
+    rows = []
+    for place in places:
+        elastic, sheared = (grid.state_of(flow, *place) for flow in grid.FLOWS)
+        speeds = [table.rate(OURS, state) for state in (sheared, elastic)]
+        rows.append([f"{place[which]:g}"]
+                    + [_cell(table.rate(name, elastic), 1e6) for name in [OURS, *peers]]
+                    + [_cell(table.lead(elastic))]
+                    + [_cell(table.rate(name, sheared), 1e6) for name in [OURS, *peers]]
+                    + [_cell(speeds[0] / speeds[1] if all(speeds) else None)])
+    return _markdown(*_without_empty_columns(heads, rows))
 
 
-def _cell(table, program, flow, place):
-    rate = table.rate(program, grid.state_of(flow, *place))
-    return f"{rate / 1e6:#.3g}" if rate else "–"
+def _cell(number, unit=1):
+    return f"{number / unit:#.3g}" if number else "–"
 
 
 def _without_empty_columns(heads, rows):

@@ -29,13 +29,15 @@ class BenchError(Exception):
 
 @dataclass(frozen=True)
 class State:
-    """What is simulated: unit spheres in a periodic cube, granular temperature 1 at the start."""
+    """What is simulated: unit spheres in a periodic cube, granular temperature 1 at the start; or
+    disks in a square."""
 
     spheres: int
     fraction: float
     restitution: float = 1.0
     shear_rate: float = 0.0
     start: str = "fcc"  # or "random"
+    dimension: int = 3
 
     @staticmethod
     def parse(text):
@@ -54,7 +56,8 @@ class State:
         flow = f"sheared, e {self.restitution:g}" if self.shear_rate else (
             "elastic" if self.restitution == 1 else f"cooling, e {self.restitution:g}")
         start = ", random start" if self.start == "random" else ""
-        return f"{flow}, phi {self.fraction:g}, N {self.spheres}{start}"
+        disks = "disks, " if self.dimension == 2 else ""
+        return f"{disks}{flow}, phi {self.fraction:g}, N {self.spheres}{start}"
 
     def is_elastic(self):
         return self.restitution == 1 and self.shear_rate == 0
@@ -188,6 +191,8 @@ class Program:
     def can_run(self, state):
         if state.spheres > self.most_spheres:
             return False
+        if state.dimension != 3 and "{dimension}" not in self.command:
+            return False
         if state.start == "random" and not re.search(r"\{(start|start_file|case)\}", self.command):
             return False
         return self.adapter not in ELASTIC_ONLY or state.is_elastic()
@@ -236,7 +241,7 @@ class Program:
 def bare_loop(build):
     """Zenosphere without anything that observes the collisions."""
     return Program(OURS, "bench", shlex.quote(str(build.resolve() / "bench_collisions"))
-                   + " --spheres {spheres} --fraction {fraction} --restitution {restitution}"
+                   + " --dimension {dimension} --spheres {spheres} --fraction {fraction} --restitution {restitution}"
                    " --shear-rate {shear_rate} --start {start} --warm-up {warm_up}"
                    " --collisions {collisions}")
 

@@ -8,7 +8,7 @@ from programs import BenchError
 
 CASE = """\
 [system]
-dimension = 3
+dimension = {dimension}
 spheres = {spheres}
 restitution = {restitution!r}
 solids_volume_fraction = {fraction!r}
