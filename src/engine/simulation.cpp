@@ -97,7 +97,7 @@ template <int Dim, class Real>
 NextCollision<Dim, Real> Simulation<Dim, Real>::collide(std::int32_t i) {
   const Meeting<Real>& meeting = predictor_.meetings(i).first();
   const std::int32_t a = std::min(i, meeting.partner());
-  const std::int32_t b = i ^ meeting.partner() ^ a;
+  const std::int32_t b = i ^ meeting.partner() ^ a;  // the other one; a branch would be a guess
   const std::optional<int> wall = this->wall(b);
   const Real when = meeting.time;
   NextCollision<Dim, Real> next;
