@@ -84,16 +84,14 @@ def _line(table, title, places, which):
     """The states along a line: a column for each program, and our lead over the fastest peer."""
     peers = [name for name in table.programs() if name != OURS]
     heads = [title] + [f"{name}, elastic" for name in [OURS, *peers]] + [f"{OURS} / fastest peer"]
-    heads += [f"{name}, sheared" for name in [OURS, *peers]] + ["sheared / elastic"]
+    heads += [f"{name}, sheared" for name in [OURS, *peers]]
     rows = []
     for place in places:
         elastic, sheared = (grid.state_of(flow, *place) for flow in grid.FLOWS)
-        speeds = [table.rate(OURS, state) for state in (sheared, elastic)]
-        rows.append([f"{place[which]:g}"]
+        rows.append([str(place[which])]
                     + [_cell(table.rate(name, elastic), 1e6) for name in [OURS, *peers]]
                     + [_cell(table.lead(elastic))]
-                    + [_cell(table.rate(name, sheared), 1e6) for name in [OURS, *peers]]
-                    + [_cell(speeds[0] / speeds[1] if all(speeds) else None)])
+                    + [_cell(table.rate(name, sheared), 1e6) for name in [OURS, *peers]])
     return _markdown(*_without_empty_columns(heads, rows))
 
 

@@ -200,8 +200,9 @@ void Calendar<Real>::stand_in_line(const Times& times, const Ids& ids, std::size
   if constexpr (std::is_same_v<Real, double>) {
     if (lanes_are_wide_) {
       const PlacesInOrder order = places_in_order_wide(times, count);
-      const std::size_t placed = count <= most_in_order / 2 ? most_in_order / 2 : most_in_order;
-      for (std::size_t k = 0; k < placed; ++k) events[order.places[k]] = {times[k], ids[k]};
+      // Without a look at `count`, which would have to be guessed: no events come behind the
+      // others.
+      for (std::size_t k = 0; k < order.compared; ++k) events[order.places[k]] = {times[k], ids[k]};
       if (order.all_differ) [[likely]]
         return;
     }

@@ -37,9 +37,26 @@ def test_quick_form_draws_and_prints_without_touching_the_page(tmp_path):
     assert len((tmp_path / "performance.csv").read_text().splitlines()) == 1 + 8
 
 
-def test_dense_states_start_at_random_and_the_others_from_a_lattice():
-    starts = {state.fraction: state.start for state in grid.states([4000], grid.FRACTIONS)}
-    assert starts == {0.1: "fcc", 0.2: "fcc", 0.3: "fcc", 0.4: "fcc", 0.5: "random"}
+def test_dense_states_and_disks_start_at_random_and_the_others_from_a_lattice():
+    starts = {state.fraction: state.start for state in grid.states() if state.dimension == 3}
+    assert set(starts) == set(grid.FRACTIONS)
+    assert {fraction for fraction, start in starts.items() if start == "random"} == {0.5}
+    assert {state.start for state in grid.states() if state.dimension == 2} == {"random"}
+
+
+def test_each_state_is_measured_once():
+    states = grid.states()
+    assert len(set(states)) == len(states)
+
+
+def test_lead_is_that_over_the_fastest_peer_of_each_round(table):
+    state = grid.state_of("elastic", 4000, 0.1)
+    for number, ours, fast, slow in [(1, 6e5, 4e5, 1e5), (2, 3e5, 1e5, 2e5), (3, 9e5, 1e5, 9e5)]:
+        table.add(trial(state, ours, number=number))
+        table.add(trial(state, fast, "fast", number))
+        table.add(trial(state, slow, "slow", number))
+    assert table.lead(state) == 1.5
+    assert table.lead(grid.state_of("sheared", 4000, 0.1)) is None
 
 
 def test_every_lattice_of_the_grid_can_be_made():

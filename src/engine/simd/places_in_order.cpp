@@ -41,9 +41,9 @@ ZENOSPHERE_WIDE PlacesInOrder find_places(const std::array<double, most_in_order
   const bool are_few = count <= most_in_order / 2;
   const std::int64_t sum = are_few ? count_less<2>(numbers.data(), found.places.data())
                                    : count_less<4>(numbers.data(), found.places.data());
+  found.compared = are_few ? most_in_order / 2 : most_in_order;
   // Of two that differ one is less.
-  const std::size_t compared = are_few ? most_in_order / 2 : most_in_order;
-  const std::size_t pairs = count * (count - 1) / 2 + count * (compared - count);
+  const std::size_t pairs = count * (count - 1) / 2 + count * (found.compared - count);
   found.all_differ = static_cast<std::size_t>(sum) == pairs;
   return found;
 }

@@ -11,9 +11,9 @@ inline constexpr std::size_t most_in_order = 16;
 
 /// The places of numbers in increasing order.
 struct PlacesInOrder {
-  /// Of the numbers, and behind them of what is infinite: the place behind the last.
-  std::array<std::int64_t, most_in_order> places;
-  bool all_differ;  ///< if not, the places are wrong
+  std::array<std::int64_t, most_in_order> places;  ///< of infinity: the one behind the last
+  std::size_t compared;                            ///< so many have been given a place
+  bool all_differ;                                 ///< if not, the places are wrong
 };
 
 /// Puts numbers in order by counting for each how many are less. Only where has_wide_lanes().
