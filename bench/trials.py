@@ -111,7 +111,7 @@ def commit():
         done = subprocess.run(["git", "-C", ROOT, *words], capture_output=True, text=True)
         return done.stdout.strip() if done.returncode == 0 else ""
     changed = git("status", "--porcelain", "--untracked-files=no", "--", "src", "bench",
-                  "CMakeLists.txt")
+                  ":!bench/*.csv", "CMakeLists.txt")
     return (git("rev-parse", "--short=9", "HEAD") or "unknown") + ("+" if changed else "")
 
 
