@@ -45,9 +45,12 @@ inline Grains<double> grains(std::int32_t spheres, const LargeSpheres& large, do
   return grains;
 }
 
-/// The gas at time 0.
+/// The gas at time 0. Throws std::invalid_argument for disks on a lattice of spheres.
 template <int Dim>
 Gas<Dim> gas(GasRequest request) {
+  if (Dim == 2 && request.start.arrangement == Arrangement::fcc) {
+    throw std::invalid_argument("disks on an fcc lattice (must be --start random)");
+  }
   const auto& [count, diameter] = request.large;
   const std::int32_t spheres = request.start.spheres;
   const double of_large = std::pow(diameter, Dim);  // volume, where that of the others is 1

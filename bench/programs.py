@@ -191,7 +191,7 @@ class Program:
     def can_run(self, state):
         if state.spheres > self.most_spheres:
             return False
-        if state.dimension != 3 and "{dimension}" not in self.command:
+        if state.dimension != 3 and not re.search(r"\{(dimension|case)\}", self.command):
             return False
         if state.start == "random" and not re.search(r"\{(start|start_file|case)\}", self.command):
             return False
@@ -241,9 +241,9 @@ class Program:
 def bare_loop(build):
     """Zenosphere without anything that observes the collisions."""
     return Program(OURS, "bench", shlex.quote(str(build.resolve() / "bench_collisions"))
-                   + " --dimension {dimension} --spheres {spheres} --fraction {fraction} --restitution {restitution}"
-                   " --shear-rate {shear_rate} --start {start} --warm-up {warm_up}"
-                   " --collisions {collisions}")
+                   + " --dimension {dimension} --spheres {spheres} --fraction {fraction}"
+                   " --restitution {restitution} --shear-rate {shear_rate} --start {start}"
+                   " --warm-up {warm_up} --collisions {collisions}")
 
 
 def recorded_run(build):

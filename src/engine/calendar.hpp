@@ -132,9 +132,9 @@ class Calendar {
   std::vector<Group> groups_;  ///< of later bins
   std::int32_t opened_ = 0;    ///< bins of this cycle
   std::int32_t open_end_ = 0;  ///< the first bin that is in no group opened yet
-  std::vector<Event> line_ = std::vector<Event>(64);  ///< those in line, and room for more
-  std::size_t next_ = 0;                              ///< the first in line
-  std::size_t line_end_ = 0;                          ///< behind the last
+  std::vector<Event> line_ = std::vector<Event>(4 * (Bin::room + 1));  ///< with room for more
+  std::size_t next_ = 0;                                               ///< the first in line
+  std::size_t line_end_ = 0;                                           ///< behind the last
   std::int64_t lined_up_ = 0;
   std::vector<Event> heap_;
   std::size_t heap_limit_ = 0;  ///< of entries, before it is cleared of those that are void

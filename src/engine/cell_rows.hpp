@@ -59,6 +59,7 @@ class CellRows {
     block.add({at(0, home[0] - 1) + part(home, along, direction), 3});
     return block;
   }
+
   /// Those of them that lie in one direction along x.
   ScatteredCells column_beside(const Steps<Dim>& home, int direction) const {
     ScatteredCells scattered;
@@ -102,6 +103,13 @@ class CellRows {
       columns.from += most_in_run;
     }
     block.add(run_in_layer(cells, home, layers, columns));
+  }
+  /// Adds those of all layers that are within reach.
+  void add_columns(const SlidingCells<Dim>& cells, const Steps<Dim>& home, const Reach& reach,
+                   CellBlock& block) const {
+    for (int layers = -aside_y; layers <= aside_y; ++layers) {
+      add_columns(cells, home, layers, reach[static_cast<std::size_t>(layers + 1)], block);
+    }
   }
 
  private:

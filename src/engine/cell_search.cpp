@@ -74,11 +74,8 @@ template <int Dim>
 CellBlock CellSearch<Dim>::block_around(const SlidingCells<Dim>& cells,
                                         const Steps<Dim>& home) const {
   if (!has_slides()) return rows_.around(home);
-  const Reach reach = this->reach(cells, home);
   CellBlock block = rows_.all_rows(home);
-  for (int layer = -aside_y; layer <= aside_y; ++layer) {
-    rows_.add_columns(cells, home, layer, reach[static_cast<std::size_t>(layer + 1)], block);
-  }
+  rows_.add_columns(cells, home, reach(cells, home), block);
   return block;
 }
 
@@ -104,15 +101,14 @@ std::span<const Neighbour> CellSearch<Dim>::beyond(const SlidingCells<Dim>& cell
     }
     return members_of(rows_.one_of_each_row(cells, to, columns));
   }
-  CellBlock block = axis == 1 ? rows_.all_rows(to) : rows_.one_row(to, direction);
   if (axis == 1) {
+    CellBlock block = rows_.all_rows(to);
     add_columns_behind(cells, crossing, reach, block);
     rows_.add_columns(cells, to, direction, reach[static_cast<std::size_t>(direction + 1)], block);
-  } else {
-    for (int layer = -aside_y; layer <= aside_y; ++layer) {
-      rows_.add_columns(cells, to, layer, reach[static_cast<std::size_t>(layer + 1)], block);
-    }
+    return members_of(block);
   }
+  CellBlock block = rows_.one_row(to, direction);
+  rows_.add_columns(cells, to, reach, block);
   return members_of(block);
 }
 

@@ -76,8 +76,6 @@ class CellSearch {
   void prefetch(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;
 
  private:
-  static constexpr int aside_y = Dim > 1 ? 1 : 0;  ///< layers that are seen either way
-
   CellBlock block_around(const SlidingCells<Dim>& cells, const Steps<Dim>& home) const;
   void add_columns_behind(const SlidingCells<Dim>& cells, const Crossing& crossing,
                           const Reach& reach, CellBlock& block) const;
